@@ -1,0 +1,21 @@
+# The packages of docs/architecture.md, found once. Everything comes from Debian 12.
+
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(glfw3 3.3 REQUIRED)
+find_package(glm REQUIRED)
+find_package(meshoptimizer REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(OpenGL REQUIRED COMPONENTS EGL)
+find_package(OpenImageIO REQUIRED)
+find_package(OpenMesh REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(OSMesa REQUIRED)
+
+function(hachure_link_dependencies target)
+  # Headers of the house name GLM and fmt types; the rest stays behind the .cpp files.
+  target_link_libraries(${target}
+    PUBLIC glm::glm fmt::fmt Threads::Threads
+    PRIVATE glfw OpenGL::EGL OSMesa::OSMesa OpenImageIO::OpenImageIO OpenMeshCore TinyGLTF::TinyGLTF
+      meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json ${CMAKE_DL_LIBS})
+endfunction()
