@@ -11,6 +11,7 @@ find_package(OpenImageIO REQUIRED)
 find_package(OpenMesh REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(OSMesa REQUIRED)
+include(HachurePackageFixes)
 
 function(hachure_link_dependencies target)
   # Headers of the house name GLM and fmt types; the rest stays behind the .cpp files.
