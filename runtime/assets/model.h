@@ -1,19 +1,21 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What a model file says, as plain data. Conventions are glTF's: right-handed, Y up, metres, radians, counter-clockwise
-/// front faces, linear colour factors. A Model that a reader returns is valid: every index is in range, every array of
-/// a primitive is empty or has one element per vertex, every float is finite, the node graph is a forest.
+/// What a model file says, as plain data. Conventions are glTF's: right-handed, Y up, metres, radians,
+/// counter-clockwise front faces, linear colour factors. A Model that a reader returns is valid: every index is in
+/// range, every array of a primitive is empty or has one element per vertex, every float is finite, the node graph is a
+/// forest.
 namespace hachure::assets {
 
 /// Displacements of one morph target; each array is empty or has one element per vertex of its primitive.
@@ -30,13 +32,13 @@ struct Primitive {
     std::vector<glm::vec3> normals;   ///< unit; always present after loading
     std::vector<glm::vec4> tangents;  ///< xyz unit, w = +-1 handedness; may be empty
     std::vector<glm::vec2> texcoords[2];
-    std::vector<glm::vec4> colors;            ///< linear RGBA; may be empty
-    std::vector<glm::u16vec4> joints[2];      ///< indices into the skin's joints, 4 or 8 influences; may be empty
-    std::vector<glm::vec4> weights[2];        ///< weight of each influence, as the file has them
-    std::vector<std::uint32_t> indices;       ///< 3 per triangle; strips and fans are unrolled on loading
-    std::int32_t material = -1;               ///< into Model::materials, -1 for the default material
-    std::vector<MorphTarget> morph_targets;   ///< same count for all primitives of a mesh
-    bool normals_computed = false;            ///< the file had none; they come from geometry::vertex_normals
+    std::vector<glm::vec4> colors;          ///< linear RGBA; may be empty
+    std::vector<glm::u16vec4> joints[2];    ///< indices into the skin's joints, 4 or 8 influences; may be empty
+    std::vector<glm::vec4> weights[2];      ///< weight of each influence, as the file has them
+    std::vector<std::uint32_t> indices;     ///< 3 per triangle; strips and fans are unrolled on loading
+    std::int32_t material = -1;             ///< into Model::materials, -1 for the default material
+    std::vector<MorphTarget> morph_targets; ///< same count for all primitives of a mesh
+    bool normals_computed = false;          ///< the file had none; they come from geometry::vertex_normals
 };
 
 struct Mesh {
@@ -92,11 +94,11 @@ struct Material {
 struct Camera {
     std::string name;
     bool orthographic = false;
-    float yfov = 0.8f;             ///< radians, full vertical angle (perspective)
-    std::optional<float> aspect;   ///< width / height; the view's when absent (perspective)
+    float yfov = 0.8f;              ///< radians, full vertical angle (perspective)
+    std::optional<float> aspect;    ///< width / height; the view's when absent (perspective)
     float xmag = 1.0f, ymag = 1.0f; ///< half width and height, metres (orthographic)
-    float znear = 0.01f;           ///< metres
-    std::optional<float> zfar;     ///< metres; infinite when absent (perspective)
+    float znear = 0.01f;            ///< metres
+    std::optional<float> zfar;      ///< metres; infinite when absent (perspective)
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };
@@ -105,10 +107,10 @@ enum class LightKind : std::uint8_t { directional, point, spot };
 struct Light {
     std::string name;
     LightKind kind = LightKind::directional;
-    glm::vec3 color{1.0f};       ///< linear RGB
-    float intensity = 1.0f;      ///< lux (directional) or candela
-    std::optional<float> range;  ///< metres; infinite when absent
-    float inner_cone = 0.0f;     ///< radians (spot)
+    glm::vec3 color{1.0f};      ///< linear RGB
+    float intensity = 1.0f;     ///< lux (directional) or candela
+    std::optional<float> range; ///< metres; infinite when absent
+    float inner_cone = 0.0f;    ///< radians (spot)
     float outer_cone = 0.785398f;
 };
 
@@ -127,9 +129,9 @@ struct Node {
 
 struct Skin {
     std::string name;
-    std::vector<std::int32_t> joints;         ///< nodes
-    std::vector<glm::mat4> inverse_bind;      ///< one per joint (identity where the file has none)
-    std::int32_t skeleton = -1;               ///< node, or -1
+    std::vector<std::int32_t> joints;    ///< nodes
+    std::vector<glm::mat4> inverse_bind; ///< one per joint (identity where the file has none)
+    std::int32_t skeleton = -1;          ///< node, or -1
 };
 
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
@@ -166,8 +168,8 @@ struct Model {
     std::vector<Node> nodes;
     std::vector<Skin> skins;
     std::vector<Animation> animations;
-    std::vector<Scene> scenes;      ///< never empty after loading
-    std::int32_t default_scene = 0; ///< into scenes
+    std::vector<Scene> scenes;           ///< never empty after loading
+    std::int32_t default_scene = 0;      ///< into scenes
     std::vector<std::string> extensions; ///< what the file declares as used, in its order
     std::vector<std::string> warnings;   ///< one line per thing that was repaired or not understood, each kind once
 };

@@ -26,20 +26,25 @@ enum class Format : std::uint8_t {
 /// Bytes of one texel as the driver is expected to store it.
 [[nodiscard]] constexpr std::size_t bytes_per_texel(Format format) {
     switch (format) {
-    case Format::r8: return 1;
+    case Format::r8:
+        return 1;
     case Format::rg8:
-    case Format::r16f: return 2;
+    case Format::r16f:
+        return 2;
     case Format::rgba8:
     case Format::srgb8_alpha8:
     case Format::rg16f:
     case Format::r32f:
     case Format::r32ui:
     case Format::depth32f:
-    case Format::depth24: return 4;
+    case Format::depth24:
+        return 4;
     case Format::rgba16f:
     case Format::rg32f:
-    case Format::rg32ui: return 8;
-    case Format::rgba32f: return 16;
+    case Format::rg32ui:
+        return 8;
+    case Format::rgba32f:
+        return 16;
     }
     return 0;
 }

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <hachure/runtime/ecs/reflect.h>
+
+#include <glm/vec3.hpp>
+
+namespace hachure {
+
+/// How the layers of a view become its picture; on the camera's entity, or defaults.
+struct Compose {
+    glm::vec3 background{1.0f};
+
+    friend bool operator==(const Compose&, const Compose&) = default;
+};
+
+inline void reflect(TypeBuilder<Compose>& type) {
+    type.name("compose").doc("how the layers of a view become its picture");
+    type.field("background", &Compose::background).color().doc("colour where nothing is drawn");
+}
+
+} // namespace hachure

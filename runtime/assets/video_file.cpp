@@ -1,0 +1,70 @@
+#include <hachure/runtime/assert.h>
+#include <hachure/runtime/assets/image_file.h>
+#include <hachure/runtime/assets/video_file.h>
+#include <hachure/runtime/error.h>
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+namespace hachure::assets {
+
+struct VideoFile::State {
+    std::string name;
+    std::unique_ptr<OIIO::ImageInput> input;
+    int width = 0, height = 0, frames = 0, channels = 0;
+    double fps = 0.0;
+};
+
+VideoFile::VideoFile(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
+    State& s = *state_;
+    s.name = path.string();
+    if (!std::filesystem::is_regular_file(path)) throw Error(s.name, "is not a file that can be read");
+    s.input = OIIO::ImageInput::open(s.name);
+    if (!s.input) {
+        OIIO::geterror();
+        throw Error(s.name, "is not a video that can be read");
+    }
+    const OIIO::ImageSpec& spec = s.input->spec();
+    s.width = spec.width;
+    s.height = spec.height;
+    s.channels = spec.nchannels;
+    if (s.width < 1 || s.height < 1 || std::int64_t{s.width} * s.height > max_image_pixels)
+        throw Error(s.name, "has frames of a size that can't be read");
+    s.frames = std::max(1, spec.get_int_attribute("oiio:Movie") ? spec.get_int_attribute("ffmpeg:NumFrames", 1) : 1);
+    int rate[2] = {0, 1};
+    if (spec.getattribute("FramesPerSecond", OIIO::TypeRational, rate) && rate[1] != 0)
+        s.fps = static_cast<double>(rate[0]) / rate[1];
+}
+
+VideoFile::~VideoFile() = default;
+VideoFile::VideoFile(VideoFile&&) noexcept = default;
+VideoFile& VideoFile::operator=(VideoFile&&) noexcept = default;
+
+int VideoFile::width() const { return state_->width; }
+int VideoFile::height() const { return state_->height; }
+int VideoFile::frame_count() const { return state_->frames; }
+double VideoFile::frames_per_second() const { return state_->fps; }
+
+Image VideoFile::read_frame(int index) {
+    HACHURE_ASSERT(index >= 0 && index < state_->frames, "a frame outside the video");
+    State& s = *state_;
+    const int channels = std::min(s.channels, 3);
+    Image image = make_image(s.width, s.height, channels, PixelType::u8);
+    if (!s.input->read_image(index, 0, 0, channels, OIIO::TypeDesc::UINT8, image.pixels.data()))
+        throw Error(s.name, "can't be decoded", "frame " + std::to_string(index));
+    return image;
+}
+
+bool is_video_name(const std::filesystem::path& path) {
+    static constexpr std::array<std::string_view, 8> extensions{".mp4",  ".mov", ".avi", ".mkv",
+                                                                ".webm", ".mpg", ".m4v", ".ogv"};
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+} // namespace hachure::assets
