@@ -1,0 +1,52 @@
+#include <hachure/runtime/assets/read_model.h>
+
+#include <hachure/runtime/assets/complete.h>
+#include <hachure/runtime/assets/gltf.h>
+#include <hachure/runtime/assets/mesh_files.h>
+#include <hachure/runtime/assets/video_file.h>
+#include <hachure/runtime/error.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+namespace hachure::assets {
+namespace {
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+bool is_gltf(const std::filesystem::path& path) {
+    const std::string extension = lower_extension(path);
+    return extension == ".gltf" || extension == ".glb";
+}
+
+} // namespace
+
+InputKind input_kind(const std::filesystem::path& path) {
+    static constexpr std::array<std::string_view, 12> images{".png", ".jpg", ".jpeg", ".exr", ".hdr",  ".tga",
+                                                             ".bmp", ".tif", ".tiff", ".gif", ".webp", ".ppm"};
+    if (is_gltf(path) || is_mesh_file(path)) return InputKind::model;
+    if (is_video_name(path)) return InputKind::video;
+    if (std::ranges::find(images, lower_extension(path)) != images.end()) return InputKind::image;
+    return InputKind::unknown;
+}
+
+Model read_model(const std::filesystem::path& path) {
+    // Faults that every reader would have to find first.
+    std::error_code code;
+    const auto status = std::filesystem::status(path, code);
+    if (!std::filesystem::exists(status)) throw Error(path.string(), "there is no such file");
+    if (std::filesystem::is_directory(status)) throw Error(path.string(), "is a folder, not a model");
+    if (input_kind(path) != InputKind::model)
+        throw Error(path.string(), "is not a kind of model that can be read: glTF, GLB, OBJ, PLY, OFF or STL");
+    Model model = is_gltf(path) ? read_gltf(path) : read_mesh(path);
+    complete_normals(model);
+    return model;
+}
+
+} // namespace hachure::assets

@@ -1,0 +1,101 @@
+#include <hachure/runtime/scene/gpu_meshes.h>
+
+#include <meshoptimizer.h>
+
+#include <span>
+#include <string>
+
+namespace hachure {
+namespace {
+
+template <class T>
+gpu::Buffer upload_attribute(gpu::VertexArray& vertex_array, GLuint location, const std::vector<T>& values,
+                             const std::string& label) {
+    if (values.empty()) return {};
+    gpu::Buffer buffer(std::span<const T>(values), label);
+    vertex_array.set_attribute({.location = location, .components = T::length(), .binding = location});
+    vertex_array.set_vertex_buffer(location, buffer, sizeof(T));
+    return buffer;
+}
+
+/// Triangles in an order that reuses transformed vertices; each submesh keeps its range.
+std::vector<std::uint32_t> cache_friendly(const SurfaceMesh& mesh) {
+    std::vector<std::uint32_t> ordered(mesh.indices.size());
+    for (const Submesh& submesh : mesh.submeshes)
+        meshopt_optimizeVertexCache(ordered.data() + submesh.first_index, mesh.indices.data() + submesh.first_index,
+                                    submesh.index_count, mesh.positions.size());
+    return ordered;
+}
+
+GpuMesh upload_mesh(const SurfaceMesh& mesh) {
+    GpuMesh result;
+    result.vertex_array = gpu::VertexArray(mesh.name);
+    result.positions = upload_attribute(result.vertex_array, 0, mesh.positions, mesh.name + " positions");
+    result.normals = upload_attribute(result.vertex_array, 1, mesh.normals, mesh.name + " normals");
+    result.texcoords = upload_attribute(result.vertex_array, 2, mesh.texcoords, mesh.name + " texcoords");
+    result.colors = upload_attribute(result.vertex_array, 3, mesh.colors, mesh.name + " colors");
+    if (!mesh.indices.empty()) {
+        const std::vector<std::uint32_t> indices = cache_friendly(mesh);
+        result.indices = gpu::Buffer(std::span<const std::uint32_t>(indices), mesh.name + " indices");
+        result.vertex_array.set_index_buffer(result.indices);
+    }
+    return result;
+}
+
+/// Sampling decodes sRGB, so every image becomes RGBA whatever its channels.
+std::vector<std::uint8_t> to_rgba(const assets::Image& image) {
+    const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    const std::size_t channels = static_cast<std::size_t>(image.channels);
+    std::vector<std::uint8_t> rgba(count * 4);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t* in = image.u8() + i * channels;
+        std::uint8_t* out = rgba.data() + i * 4;
+        out[0] = in[0];
+        out[1] = channels >= 3 ? in[1] : in[0];
+        out[2] = channels >= 3 ? in[2] : in[0];
+        out[3] = channels == 4 ? in[3] : channels == 2 ? in[1] : std::uint8_t{255};
+    }
+    return rgba;
+}
+
+gpu::Wrap gpu_wrap(assets::Wrap wrap) {
+    switch (wrap) {
+    case assets::Wrap::clamp: return gpu::Wrap::clamp_to_edge;
+    case assets::Wrap::mirror: return gpu::Wrap::mirrored_repeat;
+    case assets::Wrap::repeat: break;
+    }
+    return gpu::Wrap::repeat;
+}
+
+gpu::Texture upload_texture(const SurfaceTexture& source) {
+    const assets::Image& image = source.image;
+    gpu::TextureDesc desc{image.width, image.height, gpu::Format::srgb8_alpha8};
+    desc.levels = gpu::mip_levels(image.width, image.height);
+    gpu::Texture texture(desc, "base color");
+    // Texture coordinates run downwards in glTF: its first row is v = 0.
+    texture.upload(std::span<const std::uint8_t>(to_rgba(image)), gpu::RowOrder::bottom_first);
+    texture.generate_mipmaps();
+    const bool nearest = source.magnify == assets::Filter::nearest;
+    texture.set_sampling({.min = gpu::Filter::linear,
+                          .mag = nearest ? gpu::Filter::nearest : gpu::Filter::linear,
+                          .mipmaps = true,
+                          .wrap_u = gpu_wrap(source.wrap_s),
+                          .wrap_v = gpu_wrap(source.wrap_t)});
+    return texture;
+}
+
+} // namespace
+
+const GpuMesh& GpuMeshes::mesh(const MeshStore& store, std::uint32_t index) {
+    const auto found = meshes_.find(index);
+    if (found != meshes_.end()) return found->second;
+    return meshes_.emplace(index, upload_mesh(store.mesh(index))).first->second;
+}
+
+const gpu::Texture& GpuMeshes::texture(const MeshStore& store, std::int32_t index) {
+    const auto found = textures_.find(index);
+    if (found != textures_.end()) return found->second;
+    return textures_.emplace(index, upload_texture(store.texture(index))).first->second;
+}
+
+} // namespace hachure

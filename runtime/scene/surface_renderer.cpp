@@ -1,0 +1,128 @@
+#include <hachure/runtime/scene/surface_renderer.h>
+
+#include <hachure/runtime/gpu/state.h>
+#include <hachure/runtime/scene/light_list.h>
+#include <hachure/runtime/scene/mesh_store.h>
+#include <hachure/runtime/scene/render_context.h>
+#include <hachure/runtime/scene/view.h>
+
+#include <cmath>
+
+namespace hachure {
+namespace {
+
+const gpu::Framebuffer& bind_targets(RenderContext& render, gpu::PassContext& pass, const SurfaceTargets& targets) {
+    const auto id = [&](gpu::TextureHandle handle) { return handle ? pass.texture(handle) : 0u; };
+    const std::uint32_t depth = pass.texture(targets.depth_buffer);
+    const gpu::Framebuffer& framebuffer =
+        targets.normal || targets.object_id
+            ? render.backend->framebuffer({pass.texture(targets.color), id(targets.normal), id(targets.object_id)}, depth)
+            : render.backend->framebuffer({pass.texture(targets.color)}, depth);
+    framebuffer.bind();
+    return framebuffer;
+}
+
+void material_defines(const SurfaceMesh& mesh, const SurfaceMaterial& material,
+                      std::vector<gpu::ShaderDefine>& defines) {
+    if (material.base_color_texture >= 0 && !mesh.texcoords.empty()) defines.push_back({"BASE_COLOR_TEXTURE", ""});
+    if (!mesh.colors.empty()) defines.push_back({"VERTEX_COLOR", ""});
+    if (material.alpha_cutoff > 0.0f) defines.push_back({"ALPHA_MASK", ""});
+    if (material.double_sided) defines.push_back({"DOUBLE_SIDED", ""});
+}
+
+/// KHR_texture_transform: offset * rotation * scale, as the affine map of (u, v, 1).
+glm::mat3x2 texcoord_transform(const SurfaceMaterial& material) {
+    const float c = std::cos(material.uv_rotation), s = std::sin(material.uv_rotation);
+    const glm::vec2 scale = material.uv_scale;
+    return {glm::vec2(c, -s) * scale.x, glm::vec2(s, c) * scale.y, material.uv_offset};
+}
+
+void set_material(gpu::Program& program, const DrawItem& item, const SurfaceMaterial& material) {
+    program.set("base_color", glm::vec4(item.tint, 1.0f) * material.base_color);
+    program.set("alpha_cutoff", material.alpha_cutoff);
+    const glm::mat3x2 transform = texcoord_transform(material);
+    program.set("texcoord_u", glm::vec3(transform[0].x, transform[1].x, transform[2].x));
+    program.set("texcoord_v", glm::vec3(transform[0].y, transform[1].y, transform[2].y));
+}
+
+void set_item(gpu::Program& program, const DrawItem& item) {
+    program.set("world_from_entity", item.world_from_entity);
+    program.set("world_from_normal", item.world_from_normal);
+    program.set("object_id", item.object_id);
+}
+
+gpu::DrawState draw_state(const View& view, const DrawItem& item, const SurfaceMaterial& material) {
+    gpu::DrawState state;
+    state.viewport = {0, 0, view.width, view.height};
+    state.depth_test = gpu::DepthTest::greater;
+    state.depth_write = true;
+    if (!material.double_sided) state.cull = item.mirrored ? gpu::Cull::front : gpu::Cull::back;
+    return state;
+}
+
+void draw_item(const World& world, RenderContext& render, const DrawItem& item, const SurfaceTargets& targets,
+               const SurfaceShading& shading) {
+    const MeshStore& store = world.resource<MeshStore>();
+    const SurfaceMesh& mesh = store.mesh(item.mesh);
+    const GpuMesh& gpu_mesh = render.meshes.mesh(store, item.mesh);
+    gpu_mesh.vertex_array.bind();
+    for (const Submesh& submesh : mesh.submeshes) {
+        if (submesh.index_count == 0) continue;
+        gpu::ProgramSource source{.vertex = "surface/surface.vert", .fragment = std::string(shading.fragment)};
+        if (targets.normal) source.defines.push_back({"OUT_NORMAL", ""});
+        if (targets.object_id) source.defines.push_back({"OUT_OBJECT_ID", ""});
+        if (item.mirrored) source.defines.push_back({"MIRRORED", ""});
+        material_defines(mesh, submesh.material, source.defines);
+        if (shading.defines) shading.defines(item.entity, source.defines);
+        gpu::Program& program = render.shaders->program(source);
+        set_item(program, item);
+        set_material(program, item, submesh.material);
+        if (shading.uniforms) shading.uniforms(item.entity, program);
+        if (submesh.material.base_color_texture >= 0 && !mesh.texcoords.empty())
+            render.meshes.texture(store, submesh.material.base_color_texture).bind(0);
+        gpu::apply(draw_state(world.resource<View>(), item, submesh.material));
+        program.use();
+        gpu::gl().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(submesh.index_count), GL_UNSIGNED_INT,
+                               reinterpret_cast<const void*>(std::size_t{submesh.first_index} * sizeof(std::uint32_t)));
+    }
+}
+
+} // namespace
+
+SurfaceTargets SurfaceTargets::write(gpu::FrameGraph& graph, gpu::PassBuilder& pass) {
+    const auto write_named = [&](std::string_view name) {
+        gpu::TextureHandle handle = graph.find(name);
+        if (handle) {
+            handle = pass.write(handle);
+            graph.publish(name, handle);
+        }
+        return handle;
+    };
+    return {write_named("color"), write_named("depth_buffer"), write_named("normal"), write_named("object_id")};
+}
+
+void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& pass, const SurfaceTargets& targets,
+                   const SurfaceShading& shading) {
+    bind_targets(render, pass, targets);
+    render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
+    for (const DrawItem& item : world.resource<DrawList>().items)
+        if (item.shading == shading.name) draw_item(world, render, item, targets, shading);
+}
+
+void add_surface_pass(World& world, SurfaceShading shading, std::uint64_t key) {
+    const DrawList& list = world.resource<DrawList>();
+    if (!list.shaded_by(shading.name)) return;
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    const std::uint64_t light_key = world.resource<LightList>().key();
+    render.graph.add_pass<SurfaceTargets>(
+        shading.name,
+        [&](gpu::PassBuilder& pass, SurfaceTargets& targets) {
+            targets = SurfaceTargets::write(render.graph, pass);
+            pass.depends_on(list.key, light_key, key, render.shaders->generation());
+        },
+        [&world, &render, shading](const SurfaceTargets& targets, gpu::PassContext& pass) {
+            draw_surfaces(world, render, pass, targets, shading);
+        });
+}
+
+} // namespace hachure

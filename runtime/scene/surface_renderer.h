@@ -1,0 +1,44 @@
+#pragma once
+
+#include <hachure/runtime/ecs/world.h>
+#include <hachure/runtime/gpu/frame_graph.h>
+#include <hachure/runtime/gpu/program.h>
+#include <hachure/runtime/gpu/shader_source.h>
+#include <hachure/runtime/scene/draw_list.h>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hachure {
+
+struct RenderContext;
+
+/// The textures that surfaces are drawn into. `color` and `depth_buffer` always exist; `normal` and `object_id` only
+/// when something in the frame wants them.
+struct SurfaceTargets {
+    gpu::TextureHandle color, depth_buffer, normal, object_id;
+
+    /// Finds the published targets and declares that `pass` writes onto them; publishes the new versions.
+    [[nodiscard]] static SurfaceTargets write(gpu::FrameGraph& graph, gpu::PassBuilder& pass);
+};
+
+/// How a capability shades the items it has claimed in the DrawList.
+struct SurfaceShading {
+    std::string_view name;     ///< as in DrawItem::shading
+    std::string_view fragment; ///< below shaders/; includes surface/surface.glsl and calls write_surface()
+    /// Adds the defines that the item needs and sets its uniforms; either may be empty.
+    std::function<void(Entity, std::vector<gpu::ShaderDefine>&)> defines;
+    std::function<void(Entity, gpu::Program&)> uniforms;
+};
+
+/// Draws every item of the world's DrawList that `shading` has claimed into `targets`, from within a pass.
+void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& pass, const SurfaceTargets& targets,
+                   const SurfaceShading& shading);
+
+/// Declares the pass `shading.name`, which draws the claimed items and depends on `key` (what the shading itself depends
+/// on; view, lights, items and shaders are counted in). Without claimed items there is no pass.
+void add_surface_pass(World& world, SurfaceShading shading, std::uint64_t key);
+
+} // namespace hachure

@@ -1,0 +1,62 @@
+// What every fragment shader of a surface shares: inputs, material, and the outputs that this frame's view asks for.
+#include "common/view.glsl"
+
+in vec3 world_position;
+in vec3 world_normal;
+
+uniform vec4 base_color;
+uniform float alpha_cutoff;
+uniform uint object_id;
+#ifdef BASE_COLOR_TEXTURE
+in vec2 texcoord;
+uniform sampler2D base_color_texture;
+#endif
+#ifdef VERTEX_COLOR
+in vec4 vertex_color;
+#endif
+
+layout(location = 0) out vec4 out_color;
+#ifdef OUT_NORMAL
+layout(location = 1) out vec4 out_normal;
+#endif
+#ifdef OUT_OBJECT_ID
+layout(location = 2) out uint out_object_id;
+#endif
+
+// k_d of the paper: the material's colour here. Fragments below the cut-off are dropped.
+vec3 surface_color() {
+    vec4 color = base_color;
+#ifdef BASE_COLOR_TEXTURE
+    color *= texture(base_color_texture, texcoord);
+#endif
+#ifdef VERTEX_COLOR
+    color *= vertex_color;
+#endif
+#ifdef ALPHA_MASK
+    if (color.a < alpha_cutoff) discard;
+#endif
+    return color.rgb;
+}
+
+// The unit normal on the side that is seen.
+vec3 surface_normal() {
+    vec3 normal = normalize(world_normal);
+#ifdef DOUBLE_SIDED
+#ifdef MIRRORED
+    if (gl_FrontFacing) normal = -normal;
+#else
+    if (!gl_FrontFacing) normal = -normal;
+#endif
+#endif
+    return normal;
+}
+
+void write_surface(vec3 color, vec3 normal) {
+    out_color = vec4(color, 1.0);
+#ifdef OUT_NORMAL
+    out_normal = vec4(normal, 1.0);
+#endif
+#ifdef OUT_OBJECT_ID
+    out_object_id = object_id;
+#endif
+}

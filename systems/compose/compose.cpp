@@ -1,0 +1,109 @@
+#include <hachure/systems/compose/compose.h>
+
+#include <hachure/components/compose.h>
+#include <hachure/runtime/app/app.h>
+#include <hachure/runtime/scene/light_list.h>
+#include <hachure/runtime/scene/line_layer.h>
+#include <hachure/runtime/scene/render_context.h>
+#include <hachure/runtime/scene/view.h>
+
+namespace hachure {
+namespace {
+
+struct OverlayPass {
+    gpu::TextureHandle layer, color;
+};
+
+/// Lays the line layer, if the frame has one, over the shaded surfaces.
+void declare_overlay(World& world, RenderContext& render) {
+    gpu::FrameGraph& graph = render.graph;
+    const gpu::Rect rect = world.resource<LineLayer>().rect;
+    if (!graph.find("line_layer")) return;
+    graph.add_pass<OverlayPass>(
+        "overlay",
+        [&](gpu::PassBuilder& pass, OverlayPass& data) {
+            data.layer = pass.read(graph.find("line_layer"));
+            data.color = pass.write(graph.find("color"));
+            graph.publish("color", data.color);
+            pass.depends_on(rect.x, rect.y, rect.width, rect.height, render.shaders->generation());
+            pass.covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
+        },
+        [&render, rect](const OverlayPass& data, gpu::PassContext& pass) {
+            const gpu::TextureDesc& desc = pass.desc(data.color);
+            render.backend->framebuffer({pass.texture(data.color)}).bind();
+            render.draw_full_screen("compose/overlay.frag",
+                                    {.viewport = {0, 0, desc.width, desc.height}, .scissor = rect, .blend = gpu::Blend::premultiplied},
+                                    {pass.texture(data.layer)});
+        });
+}
+
+struct DepthPass {
+    gpu::TextureHandle depth_buffer, depth;
+};
+
+void declare_depth(World& world, RenderContext& render) {
+    gpu::FrameGraph& graph = render.graph;
+    if (!world.resource<FrameRequests>().wants("depth")) return;
+    graph.add_pass<DepthPass>(
+        "depth",
+        [&](gpu::PassBuilder& pass, DepthPass& data) {
+            data.depth_buffer = pass.read(graph.find("depth_buffer"));
+            const gpu::TextureDesc& desc = graph.desc(data.depth_buffer);
+            data.depth = pass.create("depth", {desc.width, desc.height, gpu::Format::r32f});
+            graph.publish("depth", data.depth);
+            pass.depends_on(world.resource<View>().key(), render.shaders->generation());
+        },
+        [&world, &render](const DepthPass& data, gpu::PassContext& pass) {
+            const gpu::TextureDesc& desc = pass.desc(data.depth);
+            render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
+            render.backend->framebuffer({pass.texture(data.depth)}).bind();
+            render.draw_full_screen("surface/depth.frag", {.viewport = {0, 0, desc.width, desc.height}},
+                                    {pass.texture(data.depth_buffer)});
+        });
+}
+
+struct EncodePass {
+    gpu::TextureHandle color, picture;
+};
+
+/// `picture` is what a screen or a PNG file shows. Colour that is already drawn into an sRGB target is the picture.
+void declare_picture(RenderContext& render) {
+    gpu::FrameGraph& graph = render.graph;
+    const gpu::TextureHandle color = graph.find("color");
+    const gpu::TextureDesc desc = graph.desc(color);
+    if (desc.format == gpu::Format::srgb8_alpha8) {
+        graph.publish("picture", color);
+        return;
+    }
+    graph.add_pass<EncodePass>(
+        "encode",
+        [&](gpu::PassBuilder& pass, EncodePass& data) {
+            data.color = pass.read(color);
+            data.picture = pass.create("picture", {desc.width, desc.height, gpu::Format::srgb8_alpha8});
+            graph.publish("picture", data.picture);
+            pass.depends_on(render.shaders->generation());
+        },
+        [&render](const EncodePass& data, gpu::PassContext& pass) {
+            const gpu::TextureDesc& size = pass.desc(data.picture);
+            render.backend->framebuffer({pass.texture(data.picture)}).bind();
+            render.draw_full_screen("compose/encode.frag", {.viewport = {0, 0, size.width, size.height}},
+                                    {pass.texture(data.color)});
+        });
+}
+
+void declare_passes(World& world) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    declare_overlay(world, render);
+    declare_depth(world, render);
+    declare_picture(render);
+}
+
+} // namespace
+
+void register_compose(App& app) {
+    app.add_component<Compose>();
+    if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
+    app.add_system(Stage::render, "compose", declare_passes);
+}
+
+} // namespace hachure

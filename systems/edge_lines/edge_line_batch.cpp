@@ -1,0 +1,87 @@
+#include <hachure/systems/edge_lines/edge_line_batch.h>
+
+#include <hachure/runtime/gpu/frame_graph_key.h>
+#include <hachure/systems/edge_lines/select_edges.h>
+
+#include <algorithm>
+#include <glm/matrix.hpp>
+#include <unordered_set>
+
+namespace hachure {
+namespace {
+
+EdgeLineMesh make_edge_mesh(const SurfaceMesh& source) {
+    EdgeLineMesh mesh;
+    mesh.table = geometry::build_edge_table(source.positions, source.indices);
+    mesh.planes.resize(source.indices.size() / 3);
+    geometry::face_planes(source.positions, source.indices, mesh.planes);
+    mesh.front.resize(mesh.planes.size());
+    mesh.selected.resize(mesh.table.edges.size());
+    mesh.closed = std::ranges::none_of(mesh.table.edges, [](const geometry::Edge& edge) {
+        return (edge.flags & (geometry::edge_border | geometry::edge_orientation_mismatch)) != 0;
+    });
+    return mesh;
+}
+
+std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view) {
+    return gpu::key_of(view.key(), item.mesh, item.world_from_entity, lines.silhouette, lines.crease, lines.border,
+                       lines.crease_angle);
+}
+
+} // namespace
+
+void EdgeLineBatch::upload() {
+    if (uploaded_ || segments.empty()) return;
+    const std::size_t bytes = segments.size() * sizeof(EdgeSegment);
+    if (buffer_.bytes() < bytes) {
+        // Room to grow by half: the count changes with every view.
+        buffer_ = gpu::Buffer(bytes + bytes / 2, gpu::BufferUsage::dynamic, "edge lines");
+        vertex_array = gpu::VertexArray("edge lines");
+        vertex_array.set_attribute({.location = 0, .components = 3, .offset = 0});
+        vertex_array.set_attribute({.location = 1, .components = 3, .offset = sizeof(glm::vec3)});
+        vertex_array.set_vertex_buffer(0, buffer_, sizeof(EdgeSegment), 0, 1);
+    }
+    buffer_.update(std::span<const EdgeSegment>(segments));
+    uploaded_ = true;
+}
+
+void EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const EdgeLines& lines, const View& view) {
+    EdgeLineBatch& batch = batches_[item.entity];
+    const std::uint64_t key = batch_key(item, lines, view);
+    if (batch.key_ == key) return;
+    EdgeLineMesh& edges = mesh(store, item.mesh);
+    SelectEdgesJob job{.edges = edges.table.edges,
+                       .planes = edges.planes,
+                       .eye = glm::inverse(item.world_from_entity) * view.eye,
+                       .silhouette = lines.silhouette,
+                       .crease = lines.crease,
+                       .border = lines.border,
+                       .crease_angle = lines.crease_angle,
+                       .closed = edges.closed,
+                       .front = edges.front,
+                       .selected = edges.selected};
+    job.run();
+    const std::vector<glm::vec3>& positions = store.mesh(item.mesh).positions;
+    batch.segments.clear();
+    for (std::size_t i = 0; i < job.count; ++i) {
+        const geometry::Edge& edge = edges.table.edges[edges.selected[i]];
+        batch.segments.push_back({positions[edge.v0], positions[edge.v1]});
+    }
+    batch.world_from_entity = item.world_from_entity;
+    batch.key_ = key;
+    batch.uploaded_ = false;
+}
+
+void EdgeLineBatches::forget_all_but(std::span<const Entity> drawn) {
+    if (batches_.size() == drawn.size()) return;
+    const std::unordered_set<Entity> kept(drawn.begin(), drawn.end());
+    std::erase_if(batches_, [&](const auto& entry) { return !kept.contains(entry.first); });
+}
+
+EdgeLineMesh& EdgeLineBatches::mesh(const MeshStore& store, std::uint32_t index) {
+    const auto found = meshes_.find(index);
+    if (found != meshes_.end()) return found->second;
+    return meshes_.emplace(index, make_edge_mesh(store.mesh(index))).first->second;
+}
+
+} // namespace hachure

@@ -1,0 +1,49 @@
+#include <hachure/systems/gooch/gooch.h>
+
+#include <hachure/components/gooch.h>
+#include <hachure/runtime/app/app.h>
+#include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/surface_renderer.h>
+
+namespace hachure {
+namespace {
+
+constexpr std::string_view shading_name = "gooch";
+
+void claim_items(World& world) {
+    for (DrawItem& item : world.resource_mutable<DrawList>().items)
+        if (world.has<Gooch>(item.entity)) item.shading = shading_name;
+}
+
+void add_defines(const Gooch& gooch, std::vector<gpu::ShaderDefine>& defines) {
+    if (gooch.printed_equation) defines.push_back({"PRINTED_EQUATION", ""});
+    if (gooch.highlight > 0.0f) defines.push_back({"HIGHLIGHT", ""});
+}
+
+void set_uniforms(const Gooch& gooch, gpu::Program& program) {
+    program.set("b", gooch.b);
+    program.set("y", gooch.y);
+    program.set("alpha", gooch.alpha);
+    program.set("beta", gooch.beta);
+    program.set("highlight", gooch.highlight);
+    program.set("shininess", gooch.shininess);
+}
+
+void declare_pass(World& world) {
+    add_surface_pass(world,
+                     {.name = shading_name,
+                      .fragment = "gooch/gooch.frag",
+                      .defines = [&world](Entity entity, auto& defines) { add_defines(world.get<Gooch>(entity), defines); },
+                      .uniforms = [&world](Entity entity, auto& program) { set_uniforms(world.get<Gooch>(entity), program); }},
+                     world.last_changed<Gooch>());
+}
+
+} // namespace
+
+void register_gooch(App& app) {
+    app.add_component<Gooch>();
+    app.add_system(Stage::material, "gooch", claim_items);
+    app.add_system(Stage::render, "gooch", declare_pass);
+}
+
+} // namespace hachure

@@ -1,0 +1,84 @@
+#include <hachure/systems/light/light.h>
+
+#include <hachure/components/name.h>
+#include <hachure/components/transform.h>
+#include <hachure/components/world_transform.h>
+#include <hachure/runtime/app/app.h>
+#include <hachure/runtime/scene/light_list.h>
+#include <hachure/runtime/scene/view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+namespace hachure {
+namespace {
+
+/// Place and axes of a light in the world; a light on the camera's rig has its transform in the camera's axes.
+glm::mat4 world_from_light(const Light& light, const glm::mat4& transform, const View& view) {
+    if (light.rig == LightRig::world) return transform;
+    return glm::inverse(view.view_from_world) * transform;
+}
+
+ShadingLight shading_light(const Light& light, const glm::mat4& place) {
+    ShadingLight result;
+    const glm::vec3 backward = glm::normalize(glm::vec3(place[2]));
+    const bool directional = light.kind == LightKind::directional;
+    result.position = directional ? glm::vec4(backward, 0.0f) : glm::vec4(glm::vec3(place[3]), 1.0f);
+    result.direction = -backward;
+    result.color = light.color * light.intensity;
+    result.range = light.range;
+    result.spot = light.kind == LightKind::spot;
+    result.inner_cone = light.inner_cone;
+    result.outer_cone = std::max(light.outer_cone, light.inner_cone + 1e-4f);
+    return result;
+}
+
+float strength(const ShadingLight& light) { return std::max({light.color.r, light.color.g, light.color.b}); }
+
+void gather_lights(World& world) {
+    const View& view = world.resource<View>();
+    std::vector<std::pair<Entity, ShadingLight>> found;
+    for (auto [entity, light, transform] : world.query<const Light, const WorldTransform>()) {
+        const glm::mat4 place = world_from_light(light, transform.matrix, view);
+        if (glm::length(glm::vec3(place[2])) > 0.0f) found.emplace_back(entity, shading_light(light, place));
+    }
+    std::ranges::sort(found, [](const auto& a, const auto& b) {
+        const float sa = strength(a.second), sb = strength(b.second);
+        return sa != sb ? sa > sb : a.first < b.first;
+    });
+    if (found.size() > LightList::max_lights) found.resize(LightList::max_lights);
+    const float strongest = found.empty() ? 0.0f : strength(found.front().second);
+
+    LightList list;
+    for (auto& [entity, light] : found) {
+        // Tones are relative: the strongest light gives full colour whatever its unit (lux, candela).
+        light.color = strongest > 0.0f ? light.color / strongest : glm::vec3(0.0f);
+        list.lights.push_back(light);
+    }
+    if (!(world.resource<LightList>() == list)) world.resource_mutable<LightList>() = std::move(list);
+}
+
+} // namespace
+
+Entity spawn_default_light(World& world) {
+    Light light;
+    light.rig = LightRig::camera;
+    Transform transform;
+    // +Z, which is where the light comes from, turned to (1, 1, 0) / sqrt 2 in the camera's axes.
+    const glm::vec3 from = glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f));
+    transform.rotation = glm::angleAxis(1.57079632679f, glm::normalize(glm::cross(glm::vec3(0.0f, 0.0f, 1.0f), from)));
+    const Entity entity = world.create();
+    world.add(entity, transform);
+    world.add(entity, light);
+    world.add(entity, Name{"light"});
+    return entity;
+}
+
+void register_light(App& app) {
+    app.add_component<Light>();
+    app.world().set_resource(LightList{});
+    app.add_system(Stage::light, "light", gather_lights);
+}
+
+} // namespace hachure

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <hachure/runtime/assets/model.h>
+#include <hachure/runtime/scene/mesh_store.h>
+
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace hachure {
+
+/// One mesh of the primitives, each a submesh: edge lines and other methods see a surface whole, whatever materials cut
+/// it up. Attributes that only some primitives have get neutral values in the others (white, texture coordinate 0).
+/// `material` gives the surface material for a primitive's index into Model::materials.
+[[nodiscard]] SurfaceMesh merge_primitives(std::string_view name, std::span<const assets::Primitive> primitives,
+                                           const std::function<SurfaceMaterial(std::int32_t)>& material);
+
+} // namespace hachure

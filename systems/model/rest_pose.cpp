@@ -1,0 +1,106 @@
+#include <hachure/systems/model/rest_pose.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace hachure {
+namespace {
+
+using assets::Model;
+using assets::Node;
+using assets::Primitive;
+
+glm::mat4 local_matrix(const Node& node) {
+    if (node.matrix) return *node.matrix;
+    glm::mat4 matrix = glm::mat4_cast(node.rotation);
+    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= node.scale[axis];
+    matrix[3] = glm::vec4(node.translation, 1.0f);
+    return matrix;
+}
+
+void apply_morph_weights(Primitive& primitive, const std::vector<float>& weights) {
+    for (std::size_t t = 0; t < weights.size() && t < primitive.morph_targets.size(); ++t) {
+        if (weights[t] == 0.0f) continue;
+        const assets::MorphTarget& target = primitive.morph_targets[t];
+        for (std::size_t i = 0; i < target.positions.size(); ++i)
+            primitive.positions[i] += weights[t] * target.positions[i];
+        for (std::size_t i = 0; i < target.normals.size() && i < primitive.normals.size(); ++i)
+            primitive.normals[i] += weights[t] * target.normals[i];
+    }
+    for (glm::vec3& normal : primitive.normals) {
+        const float length = glm::length(normal);
+        normal = length > 0.0f ? normal / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+}
+
+/// Sum of weight times joint matrix over the 4 or 8 influences of a vertex; false when no influence has weight.
+bool blend_joints(const Primitive& primitive, std::size_t vertex, const std::vector<glm::mat4>& joints,
+                  glm::mat4& blended) {
+    blended = glm::mat4(0.0f);
+    float total = 0.0f;
+    for (int set = 0; set < 2; ++set) {
+        if (primitive.joints[set].empty() || primitive.weights[set].empty()) continue;
+        for (int k = 0; k < 4; ++k) {
+            const float weight = primitive.weights[set][vertex][k];
+            if (weight == 0.0f) continue;
+            blended += weight * joints[primitive.joints[set][vertex][k]];
+            total += weight;
+        }
+    }
+    if (!(total > 0.0f)) return false;
+    blended /= total;
+    return true;
+}
+
+void apply_skin(Primitive& primitive, const std::vector<glm::mat4>& joints) {
+    glm::mat4 blended;
+    for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
+        if (!blend_joints(primitive, i, joints, blended)) continue;
+        primitive.positions[i] = glm::vec3(blended * glm::vec4(primitive.positions[i], 1.0f));
+        if (i >= primitive.normals.size()) continue;
+        // Cofactors instead of the inverse transpose: defined for flattened joints too.
+        const glm::vec3 x(blended[0]), y(blended[1]), z(blended[2]);
+        const glm::vec3 n = primitive.normals[i];
+        const glm::vec3 normal = n.x * glm::cross(y, z) + n.y * glm::cross(z, x) + n.z * glm::cross(x, y);
+        const float length = glm::length(normal);
+        if (length > 0.0f) primitive.normals[i] = normal / length;
+    }
+}
+
+} // namespace
+
+std::vector<glm::mat4> node_matrices(const Model& model) {
+    std::vector<glm::mat4> matrices(model.nodes.size(), glm::mat4(1.0f));
+    std::vector<std::int32_t> pending;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        if (model.nodes[i].parent < 0) pending.push_back(static_cast<std::int32_t>(i));
+    while (!pending.empty()) {
+        const auto index = static_cast<std::size_t>(pending.back());
+        pending.pop_back();
+        const Node& node = model.nodes[index];
+        const glm::mat4 parent = node.parent < 0 ? glm::mat4(1.0f) : matrices[static_cast<std::size_t>(node.parent)];
+        matrices[index] = parent * local_matrix(node);
+        pending.insert(pending.end(), node.children.begin(), node.children.end());
+    }
+    return matrices;
+}
+
+std::vector<Primitive> rest_pose(const Model& model, const Node& node, const std::vector<glm::mat4>& matrices) {
+    const assets::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
+    std::vector<Primitive> primitives = mesh.primitives;
+    const std::vector<float>& weights = node.morph_weights.empty() ? mesh.morph_weights : node.morph_weights;
+    std::vector<glm::mat4> joints;
+    if (node.skin >= 0) {
+        const assets::Skin& skin = model.skins[static_cast<std::size_t>(node.skin)];
+        for (std::size_t j = 0; j < skin.joints.size(); ++j)
+            joints.push_back(matrices[static_cast<std::size_t>(skin.joints[j])] * skin.inverse_bind[j]);
+    }
+    for (Primitive& primitive : primitives) {
+        apply_morph_weights(primitive, weights);
+        if (!joints.empty()) apply_skin(primitive, joints);
+    }
+    return primitives;
+}
+
+} // namespace hachure

@@ -1,0 +1,122 @@
+#include <hachure/systems/surface/surface.h>
+
+#include <hachure/components/compose.h>
+#include <hachure/components/surface.h>
+#include <hachure/components/world_transform.h>
+#include <hachure/runtime/app/app.h>
+#include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/mesh_store.h>
+#include <hachure/runtime/scene/render_context.h>
+#include <hachure/runtime/scene/surface_renderer.h>
+#include <hachure/runtime/scene/view.h>
+#include <hachure/systems/surface/frustum.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_inverse.hpp>
+
+namespace hachure {
+namespace {
+
+constexpr std::string_view unlit = "unlit";
+
+DrawItem draw_item(Entity entity, const Surface& surface, const glm::mat4& matrix) {
+    DrawItem item;
+    item.entity = entity;
+    item.mesh = surface.mesh;
+    item.world_from_entity = matrix;
+    item.world_from_normal = glm::inverseTranspose(glm::mat3(matrix));
+    item.tint = surface.tint;
+    item.mirrored = glm::determinant(glm::mat3(matrix)) < 0.0f;
+    return item;
+}
+
+/// What the list is made from; while it stays the same, so does the list.
+std::uint64_t sources_key(const World& world) {
+    return gpu::key_of(world.resource<View>().key(), world.last_changed<Surface>(),
+                       world.last_changed<WorldTransform>());
+}
+
+void update_draw_list(World& world) {
+    const std::uint64_t key = sources_key(world);
+    if (world.resource<DrawList>().key != key) {
+        const View& view = world.resource<View>();
+        const MeshStore& store = world.resource<MeshStore>();
+        std::vector<DrawItem> items;
+        for (auto [entity, surface, transform] : world.query<const Surface, const WorldTransform>())
+            if (surface.visible) items.push_back(draw_item(entity, surface, transform.matrix));
+        std::ranges::sort(items, {}, &DrawItem::entity);
+        std::vector<DrawItem> visible;
+        std::uint32_t id = 0;
+        for (DrawItem& item : items) {
+            item.object_id = ++id;
+            const geometry::Bounds bounds = transformed(store.mesh(item.mesh).bounds, item.world_from_entity);
+            if (outside_frustum(bounds, view.clip_from_world)) continue;
+            item.rect = screen_rect(bounds, view);
+            visible.push_back(item);
+        }
+        world.resource_mutable<DrawList>() = {std::move(visible), key};
+    }
+    // Who shades an item can change without the list: every capability claims anew.
+    for (DrawItem& item : world.resource_mutable<DrawList>().items) item.shading = unlit;
+}
+
+gpu::Format color_format(const FrameRequests& requests) {
+    return requests.wants("color") ? gpu::Format::rgba32f : gpu::Format::srgb8_alpha8;
+}
+
+glm::vec3 background(const World& world) {
+    const Compose* compose = world.find<Compose>(world.resource<View>().camera);
+    return compose ? compose->background : Compose{}.background;
+}
+
+void declare_targets(World& world, RenderContext& render) {
+    const View& view = world.resource<View>();
+    const FrameRequests& requests = world.resource<FrameRequests>();
+    const glm::vec3 clear_color = background(world);
+    gpu::FrameGraph& graph = render.graph;
+    graph.add_pass<SurfaceTargets>(
+        "targets",
+        [&](gpu::PassBuilder& pass, SurfaceTargets& targets) {
+            const auto create = [&](const char* name, gpu::Format format) {
+                const gpu::TextureHandle handle = pass.create(name, {view.width, view.height, format});
+                graph.publish(name, handle);
+                return handle;
+            };
+            targets.color = create("color", color_format(requests));
+            targets.depth_buffer = create("depth_buffer", gpu::Format::depth32f);
+            if (requests.wants("normal")) targets.normal = create("normal", gpu::Format::rgba32f);
+            if (requests.wants("object_id")) targets.object_id = create("object_id", gpu::Format::r32ui);
+            pass.depends_on(clear_color);
+        },
+        [&render, clear_color](const SurfaceTargets& targets, gpu::PassContext& pass) {
+            const gpu::TextureDesc& desc = pass.desc(targets.color);
+            gpu::apply({.viewport = {0, 0, desc.width, desc.height}, .depth_test = gpu::DepthTest::always,
+                        .depth_write = true});
+            const auto id = [&](gpu::TextureHandle handle) { return handle ? pass.texture(handle) : 0u; };
+            const gpu::Framebuffer& framebuffer = render.backend->framebuffer(
+                {pass.texture(targets.color), id(targets.normal), id(targets.object_id)}, pass.texture(targets.depth_buffer));
+            framebuffer.clear_color(0, std::array{clear_color.r, clear_color.g, clear_color.b, 1.0f});
+            if (targets.normal) framebuffer.clear_color(1, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+            if (targets.object_id) framebuffer.clear_color(2, std::array{0u, 0u, 0u, 0u});
+            framebuffer.clear_depth(0.0f);
+        });
+}
+
+void declare_passes(World& world) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    declare_targets(world, render);
+    add_surface_pass(world, {.name = unlit, .fragment = "surface/unlit.frag", .defines = {}, .uniforms = {}}, 0);
+}
+
+} // namespace
+
+void register_surface(App& app) {
+    app.add_component<Surface>();
+    World& world = app.world();
+    if (!world.find_resource<MeshStore>()) world.set_resource(MeshStore{});
+    world.set_resource(DrawList{});
+    app.add_system(Stage::material, "surface", update_draw_list);
+    app.add_system(Stage::render, "surface", declare_passes);
+}
+
+} // namespace hachure
