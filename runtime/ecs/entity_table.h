@@ -1,0 +1,50 @@
+#pragma once
+
+#include <hachure/runtime/ecs/entity.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hachure::detail {
+
+/// Which entities of a world live. An id is free, then reserved (given out, not yet alive), then alive, then free again
+/// with the next generation.
+class EntityTable {
+public:
+    /// A fresh id. It is not alive until `activate`.
+    Entity reserve();
+
+    /// Makes a reserved id alive.
+    void activate(Entity entity);
+
+    /// Ends a reserved or live id; handles to it are dead from now on.
+    void release(Entity entity);
+
+    bool alive(Entity entity) const {
+        return entity.index < slots_.size() && slots_[entity.index].generation == entity.generation &&
+               slots_[entity.index].row != no_row;
+    }
+
+    bool reserved(Entity entity) const {
+        return entity.index < slots_.size() && slots_[entity.index].generation == entity.generation &&
+               slots_[entity.index].row == no_row;
+    }
+
+    /// Every live entity, packed. Its order depends only on the calls made so far.
+    std::span<const Entity> entities() const { return alive_; }
+
+private:
+    static constexpr std::uint32_t no_row = 0xffff'ffffu;
+
+    struct Slot {
+        std::uint32_t generation;
+        std::uint32_t row; ///< where in alive_; no_row when reserved or free
+    };
+
+    std::vector<Slot> slots_;
+    std::vector<std::uint32_t> free_;
+    std::vector<Entity> alive_;
+};
+
+} // namespace hachure::detail
