@@ -3,6 +3,7 @@
 #include <hachure/runtime/gpu/gl.h>
 
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,14 +20,15 @@ struct DebugMessage {
 };
 
 /// The messages of one context since they were last taken. Notifications are dropped, and so are the shader compiler's
-/// messages: Program reports them with file and line. Messages arrive on the thread that made the faulty call.
+/// messages: Program reports those with file and line.
 class DebugMessages {
 public:
-    /// How many are kept; later ones are only counted.
+    /// How many are kept until take(); later ones are dropped.
     static constexpr std::size_t capacity = 64;
 
-    /// Routes the current context's messages here until it is gone (glDebugMessageCallback).
-    void attach();
+    /// Routes the current context's messages here until it is gone (glDebugMessageCallback). `synchronous`: a message
+    /// arrives before the call at fault returns, so that a debugger shows the call.
+    void attach(bool synchronous);
 
     /// Whether a message says that a call was wrong, rather than slow or worth knowing: an error or undefined behaviour
     /// of medium or high severity.
@@ -35,12 +37,11 @@ public:
     /// The messages so far, oldest first; none are left.
     [[nodiscard]] std::vector<DebugMessage> take();
 
-    [[nodiscard]] bool empty() const { return messages_.empty(); }
-
 private:
     static void APIENTRY receive(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                                  const GLchar* text, const void* user);
 
+    std::mutex mutex_; // a driver may report from a thread of its own
     std::vector<DebugMessage> messages_;
 };
 

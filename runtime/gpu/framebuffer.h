@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace hachure::gpu {
 
@@ -42,7 +43,7 @@ public:
     /// The window's own framebuffer.
     static void bind_window();
 
-    /// Fill one attachment (glClearNamedFramebuffer); write masks and the scissor apply, as DrawState set them.
+    /// Fill one attachment (glClearNamedFramebuffer). The scissor applies, the write masks of DrawState do not.
     void clear_color(int index, const std::array<float, 4>& value) const;
     void clear_color(int index, const std::array<std::uint32_t, 4>& value) const;
     void clear_depth(float value = 1.0f) const;
@@ -52,7 +53,8 @@ public:
     void blit_color(const Framebuffer& target, int from = 0, int to = 0, Filter filter = Filter::nearest) const;
     /// Copies depth, texel by texel; sizes and formats are the same.
     void blit_depth(const Framebuffer& target) const;
-    /// Copies colour attachment 0 to a rectangle of the window. The scissor applies.
+    /// Copies colour attachment 0 to a rectangle of the window, values as they are while DrawState::srgb_write is off.
+    /// The scissor applies.
     void blit_to_window(const Rect& to, Filter filter = Filter::nearest) const;
 
     [[nodiscard]] int width() const { return width_; }
@@ -65,6 +67,7 @@ private:
     static void destroy(GLuint name);
 
     detail::Handle<&Framebuffer::destroy> handle_;
+    std::vector<GLenum> outputs_; // the draw buffers
     int width_ = 0;
     int height_ = 0;
 };

@@ -27,8 +27,8 @@ struct ShaderStage {
 class Program {
 public:
     Program() = default;
-    /// Throws Error when a stage does not compile ("gooch/gooch.frag:12: error: ...", the messages joined by "; ") or the
-    /// program does not link.
+    /// Throws Error when a stage does not compile ("gooch/gooch.frag:12: error: ...", the messages joined by "; ") or
+    /// the program does not link.
     Program(std::span<const ShaderStage> stages, std::string_view label);
 
     /// glUseProgram.

@@ -42,4 +42,10 @@ private:
     detail::Handle<&Sampler::destroy> handle_;
 };
 
+namespace detail {
+/// Sets a sampler's or a texture's parameters: the two differ in the entries that take them, not in their names.
+void apply_sampling(const Sampling& sampling, GLuint object, PFNGLSAMPLERPARAMETERIPROC set_int,
+                    PFNGLSAMPLERPARAMETERFPROC set_float);
+} // namespace detail
+
 } // namespace hachure::gpu

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,11 +61,11 @@ struct ShaderSource {
 /// by that file's text: `path` is looked for beside the including file, then below shaders/. A file is put in once, at
 /// its first include; later ones leave nothing. Includes are replaced whatever `#if` they are in, but not in comments.
 /// Throws Error(file, fault, "line N") for a missing file, a file that includes itself over others, a path that leaves
-/// shaders/, a malformed #include, or a #version in an included file. `looked_at`, where given, gets every name that
-/// was looked for, found or not, and is complete even when it throws.
+/// shaders/, a malformed #include, or a #version in an included file. `look`, where given, is told every name
+/// just before it is looked for, whether it is found or not.
 [[nodiscard]] ShaderSource load_shader_source(const ShaderFiles& files, const std::string& name,
                                               std::span<const ShaderDefine> defines = {},
-                                              std::vector<std::string>* looked_at = nullptr);
+                                              const std::function<void(const std::string&)>& look = {});
 
 /// A compiler's log with file names instead of source-string numbers, one message per line:
 /// "gooch/gooch.frag:12: error: ...". Reads the forms of Mesa "0:12(5): error: ...", NVIDIA "0(12) : error C0000: ..."

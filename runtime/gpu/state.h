@@ -34,6 +34,9 @@ struct DrawState {
     Blend blend = Blend::off; ///< for all colour attachments
     std::array<bool, 4> color_write = {true, true, true, true};
 
+    /// Linear colours are encoded when they go to an sRGB target; off: values are stored as they are.
+    bool srgb_write = false;
+
     float polygon_offset_factor = 0.0f; ///< times the depth slope; with polygon_offset_units, both 0: off
     float polygon_offset_units = 0.0f;  ///< times the smallest resolvable depth
     float line_width = 1.0f;            ///< pixels; core profiles promise 1 alone
