@@ -23,8 +23,11 @@ endfunction()
 function(hachure_add_library)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.cpp ${PROJECT_SOURCE_DIR}/components/*.cpp
     ${PROJECT_SOURCE_DIR}/systems/*.cpp)
-  hachure_embed_shaders(embedded_shaders)
-  add_library(hachure STATIC ${sources} ${embedded_shaders})
+  hachure_embed(shaders shaders hachure/runtime/gpu/embedded_shaders.h hachure::gpu::embedded_shaders
+    hachure::gpu::EmbeddedShader *.glsl *.vert *.frag *.comp)
+  hachure_embed(styles systems/styles hachure/systems/styles/style.h hachure::built_in_styles hachure::BuiltInStyle
+    STEM *.json)
+  add_library(hachure STATIC ${sources} ${shaders} ${styles})
   add_library(Hachure::hachure ALIAS hachure)
   hachure_compile_options(hachure)
   set_target_properties(hachure PROPERTIES POSITION_INDEPENDENT_CODE ON)

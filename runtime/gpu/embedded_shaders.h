@@ -11,7 +11,7 @@ struct EmbeddedShader {
     const char* text; ///< zero-terminated GLSL
 };
 
-/// Every embedded shader, sorted by name. The build generates it (cmake/EmbedShaders.cmake).
+/// Every embedded shader, sorted by name. The build generates it (cmake/EmbedFiles.cmake).
 [[nodiscard]] std::span<const EmbeddedShader> embedded_shaders();
 
 } // namespace hachure::gpu

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <hachure/runtime/ecs/reflect.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hachure {
+
+/// Components, with field values, that a style puts on the entities of one kind.
+struct StyleComponent {
+    std::string component;                                       ///< as the TypeRegistry knows it
+    std::vector<std::pair<std::string, FieldValue>> fields;      ///< the others keep their defaults
+};
+
+/// A look, as data: what every surface carries and what the camera carries. A preset file is JSON:
+///
+///     { "hachure_style": 1, "name": "mine", "doc": "one line",
+///       "surface": { "gooch": { "b": 0.55, "y": 0.3 }, "edge_lines": { "width": 1.5 } },
+///       "camera": { "compose": { "background": [1, 1, 1] } } }
+struct Style {
+    std::string name;
+    std::string doc;
+    std::vector<StyleComponent> surface;
+    std::vector<StyleComponent> camera;
+};
+
+/// A style that is built in (systems/styles/*.json).
+struct BuiltInStyle {
+    const char* name;
+    const char* text; ///< JSON
+};
+
+/// The built-in styles, sorted by name. The build generates it.
+[[nodiscard]] std::span<const BuiltInStyle> built_in_styles();
+
+/// Reads a style; `subject` names it in errors. Throws Error for JSON that is broken, and for unknown components,
+/// fields and values out of range, with their JSON pointer.
+[[nodiscard]] Style parse_style(const TypeRegistry& types, std::string_view subject, std::string_view json);
+
+/// A built-in style by its name, else the preset file of that path. Throws Error when there is neither.
+[[nodiscard]] Style find_style(const TypeRegistry& types, std::string_view name_or_path);
+
+/// Puts the style's components on every surface and every camera of the world.
+void apply_style(World& world, const TypeRegistry& types, const Style& style);
+
+} // namespace hachure
