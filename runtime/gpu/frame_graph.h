@@ -134,10 +134,6 @@ private:
 
     PassBuilder open_pass(std::string_view name);
     void close_pass(std::unique_ptr<detail::PassBody> body);
-    void place_textures();
-    void run_pass(std::uint32_t pass);
-    void collect_gpu_times();
-
     std::unique_ptr<State> state_;
 };
 
