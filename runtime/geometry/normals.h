@@ -56,8 +56,7 @@ struct SmoothNormalsJob {
     void validate() const;
     void run();
 
-private:
-    std::vector<glm::dvec3> sums_;
+    std::vector<glm::dvec3> sums{}; ///< scratch, kept from run to run
 };
 
 } // namespace hachure::geometry
