@@ -1,0 +1,58 @@
+#include <hachure/runtime/assert.h>
+#include <hachure/runtime/geometry/edges.h>
+#include <hachure/runtime/geometry/sliver_bridge.h>
+#include <hachure/runtime/geometry/topology.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace hachure::geometry {
+namespace {
+
+Edge make_edge(std::uint32_t low, const EdgeUse& a, const EdgeUse* b) {
+    Edge edge{low, a.high, a.face(), no_face, 0};
+    if (a.backward) std::swap(edge.v0, edge.v1);
+    if (!b) {
+        edge.flags = edge_border;
+    } else {
+        edge.face1 = b->face();
+        if (a.backward == b->backward) edge.flags = edge_orientation_mismatch;
+    }
+    return edge;
+}
+
+} // namespace
+
+EdgeTable build_edge_table(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+    const WeldedTriangles triangles = weld_triangles(positions, indices);
+    EdgeTable table;
+    table.dropped_degenerate = triangles.degenerate;
+    table.dropped_duplicate = triangles.duplicate;
+    table.edges.reserve(indices.size() / 2 + 16); // Euler: a closed mesh has three edges for two triangles
+    EdgeUses(triangles).each_edge([&](std::uint32_t low, std::span<const EdgeUse> uses) {
+        if (uses.size() == 1) table.edges.push_back(make_edge(low, uses[0], nullptr));
+        for (std::size_t i = 1; i < uses.size(); ++i) {
+            table.edges.push_back(make_edge(low, uses[0], &uses[i]));
+            if (uses.size() > 2) table.edges.back().flags |= edge_non_manifold;
+        }
+    });
+    table.bridged_slivers = bridge_slivers(positions, triangles, table.edges);
+    return table;
+}
+
+void face_planes(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                 std::span<glm::vec4> planes) {
+    HACHURE_ASSERT(indices.size() == planes.size() * 3, "one plane per triangle");
+    for (std::size_t f = 0; f < planes.size(); ++f) {
+        // In double, products of floats neither round nor underflow, so small triangles keep their planes.
+        const glm::dvec3 a(positions[indices[3 * f]]), b(positions[indices[3 * f + 1]]),
+            c(positions[indices[3 * f + 2]]);
+        const glm::dvec3 n = glm::cross(b - a, c - a);
+        const double length = std::sqrt(glm::dot(n, n));
+        planes[f] = length > 0.0 ? glm::vec4(glm::dvec4(n / length, -glm::dot(n / length, (a + b + c) / 3.0)))
+                                 : glm::vec4(0.0f);
+    }
+}
+
+} // namespace hachure::geometry
