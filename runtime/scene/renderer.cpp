@@ -26,7 +26,7 @@ std::string known_names(const FrameRequests& requests) {
 Renderer::Renderer(App& app, gpu::Context& context) : app_(&app) {
     set_conventions();
     app.world().set_resource(RenderContext(context));
-    if (!app.world().find_resource<FrameRequests>()) app.world().set_resource(FrameRequests{});
+    static_cast<void>(frame_requests(app.world()));
 }
 
 Renderer::~Renderer() { app_->world().remove_resource<RenderContext>(); }

@@ -115,6 +115,11 @@ void register_surface(App& app) {
     World& world = app.world();
     if (!world.find_resource<MeshStore>()) world.set_resource(MeshStore{});
     world.set_resource(DrawList{});
+    std::vector<AovInfo>& aovs = frame_requests(world).known;
+    aovs.push_back({"color", "the picture in linear RGB, before it is encoded; not clamped", {"R", "G", "B"}});
+    aovs.push_back({"normal", "unit surface normal in the world, on the side that is seen; 0 where nothing is drawn",
+                    {"normal.X", "normal.Y", "normal.Z"}});
+    aovs.push_back({"object_id", "1 for the surface entity made first, and so on; 0 where nothing is drawn", {"object_id"}});
     app.add_system(Stage::material, "surface", update_draw_list);
     app.add_system(Stage::render, "surface", declare_passes);
 }

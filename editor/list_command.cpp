@@ -1,0 +1,78 @@
+#include <hachure/editor/list_command.h>
+
+#include <hachure/editor/stylised_app.h>
+#include <hachure/editor/usage_error.h>
+#include <hachure/runtime/scene/frame_requests.h>
+#include <hachure/systems/styles/style.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace hachure {
+namespace {
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+std::string range_text(const FieldInfo& field) {
+    if (field.kind == FieldKind::enumeration) {
+        std::string names;
+        for (const std::string& option : field.options) names += (names.empty() ? "" : "|") + option;
+        return names;
+    }
+    std::string text(to_string(field.kind));
+    if (field.range) text += fmt::format(" [{:g}, {:g}]", field.range->min, field.range->max);
+    if (!field.unit.empty()) text += " " + field.unit;
+    return text;
+}
+
+void list_styles(const App& app) {
+    for (const BuiltInStyle& style : built_in_styles())
+        print(fmt::format("{:<10} {}\n", style.name, parse_style(app.types(), style.name, style.text).doc));
+}
+
+void list_components(const App& app) {
+    for (const TypeInfo& type : app.types().types()) {
+        print(fmt::format("{}  {}\n", type.name, type.doc));
+        for (const FieldInfo& field : type.fields)
+            print(fmt::format("  {:<18} {:<24} default {:<12} {}\n", field.name, range_text(field),
+                              format_field(field, field.default_value), field.doc));
+    }
+}
+
+void list_aovs(App& app) {
+    for (const AovInfo& aov : frame_requests(app.world()).known) {
+        std::string channels;
+        for (const std::string& channel : aov.channel_names) channels += (channels.empty() ? "" : " ") + channel;
+        print(fmt::format("{:<12} {:<30} {}\n", aov.name, channels, aov.doc));
+    }
+}
+
+void list_systems(App& app) {
+    for (const SystemTime& system : app.schedule().times())
+        print(fmt::format("{:<10} {}\n", to_string(system.stage), system.name));
+}
+
+} // namespace
+
+void add_list_command(CLI::App& app, ListOptions& options) {
+    CLI::App* command = app.add_subcommand("list", "List the styles, components, AOVs or systems that there are");
+    command->add_option("KIND", options.what, "styles, components, aovs or systems")->required();
+}
+
+int run_list(const ListOptions& options) {
+    App app;
+    register_capabilities(app);
+    if (options.what == "styles")
+        list_styles(app);
+    else if (options.what == "components")
+        list_components(app);
+    else if (options.what == "aovs")
+        list_aovs(app);
+    else if (options.what == "systems")
+        list_systems(app);
+    else
+        throw UsageError("list: '" + options.what + "' is none of styles, components, aovs, systems");
+    return 0;
+}
+
+} // namespace hachure

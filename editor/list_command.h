@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace hachure {
+
+/// `hachure list`, as the user typed it.
+struct ListOptions {
+    std::string what; ///< styles, components, aovs or systems
+};
+
+void add_list_command(CLI::App& app, ListOptions& options);
+
+/// Prints what there is of the kind. Throws UsageError for an unknown kind.
+int run_list(const ListOptions& options);
+
+} // namespace hachure

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace hachure {
+
+/// `hachure render`, as the user typed it.
+struct RenderOptions {
+    std::filesystem::path input;
+    std::filesystem::path output;
+    std::string style = "gooch";
+    std::string size = "1024x768";
+    std::string backend = "auto";
+    std::vector<std::string> aovs; ///< NAME=FILE.exr
+    std::vector<std::string> sets; ///< PATH=VALUE
+    std::filesystem::path stats;
+};
+
+void add_render_command(CLI::App& app, RenderOptions& options);
+
+/// Renders the picture and writes it, the AOVs and the statistics. Throws Error and UsageError.
+int run_render(const RenderOptions& options);
+
+} // namespace hachure

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace hachure {
+
+/// One line on stderr: "hachure: warning: ...". For what was repaired or skipped; faults are exceptions.
+void log_warning(std::string_view message);
+
+} // namespace hachure
