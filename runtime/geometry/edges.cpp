@@ -22,20 +22,34 @@ Edge make_edge(std::uint32_t low, const EdgeUse& a, const EdgeUse* b) {
     return edge;
 }
 
+/// Three triangles or more. Where only two of them are one-sided, the others are fins on the surface of these two.
+void add_non_manifold(std::uint32_t low, std::span<const EdgeUse> uses, const WeldedTriangles& triangles,
+                      std::vector<Edge>& edges) {
+    const EdgeUse* one_sided[2] = {nullptr, nullptr};
+    std::size_t count = 0;
+    for (const EdgeUse& use : uses)
+        if (!triangles.has_back[use.face()] && count++ < 2) one_sided[count - 1] = &use;
+    const std::size_t first_new = edges.size();
+    if (count == 2)
+        edges.push_back(make_edge(low, *one_sided[0], one_sided[1]));
+    else
+        for (const EdgeUse& other : uses.subspan(1)) edges.push_back(make_edge(low, uses[0], &other));
+    for (std::size_t e = first_new; e < edges.size(); ++e) edges[e].flags |= edge_non_manifold;
+}
+
 } // namespace
 
 EdgeTable build_edge_table(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
-    const WeldedTriangles triangles = weld_triangles(positions, indices);
+    const WeldedTriangles triangles = weld_triangles(positions, indices, Backs::drop);
     EdgeTable table;
     table.dropped_degenerate = triangles.degenerate;
-    table.dropped_duplicate = triangles.duplicate;
+    table.dropped_duplicate = triangles.duplicate + triangles.backs;
     table.edges.reserve(indices.size() / 2 + 16); // Euler: a closed mesh has three edges for two triangles
     EdgeUses(triangles).each_edge([&](std::uint32_t low, std::span<const EdgeUse> uses) {
-        if (uses.size() == 1) table.edges.push_back(make_edge(low, uses[0], nullptr));
-        for (std::size_t i = 1; i < uses.size(); ++i) {
-            table.edges.push_back(make_edge(low, uses[0], &uses[i]));
-            if (uses.size() > 2) table.edges.back().flags |= edge_non_manifold;
-        }
+        if (uses.size() > 2)
+            add_non_manifold(low, uses, triangles, table.edges);
+        else
+            table.edges.push_back(make_edge(low, uses[0], uses.size() == 2 ? &uses[1] : nullptr));
     });
     table.bridged_slivers = bridge_slivers(positions, triangles, table.edges);
     return table;

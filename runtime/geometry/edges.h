@@ -29,16 +29,18 @@ struct Edge {
 struct EdgeTable {
     std::vector<Edge> edges;
     std::uint32_t dropped_degenerate = 0; ///< triangles with two corners at one place
-    std::uint32_t dropped_duplicate = 0;  ///< triangles with the same three places as an earlier one, either winding
+    std::uint32_t dropped_duplicate = 0;  ///< triangles with the same three places as an earlier one
     std::uint32_t bridged_slivers = 0;    ///< triangles without an area that were looked through (see below)
 };
 
 /// Builds the table. Vertices at bit-equal positions are one, so that seams are no borders.
 ///
+/// - Triangles with two corners at one place, and those on the three places of an earlier one, are left out first; they
+///   would make false borders and false silhouettes. So two triangles back to back are one sheet, and a leaf modelled
+///   from both sides has a border.
 /// - Where k > 2 triangles meet there are k - 1 entries, all flagged: the first triangle with each of the others. The
-///   edge is a silhouette exactly when one of its entries is.
-/// - Triangles with two corners at one place, and repetitions of an earlier triangle, are left out first; either would
-///   make false borders and false silhouettes.
+///   edge is a silhouette exactly when one of its entries is. But where two triangles are left besides such sheets,
+///   there is one entry, of those two: the sheets are fins, as decimation leaves them, and end in borders of their own.
 /// - A triangle with three places and no area (height under 1e-6 of its longest edge) has no side that it faces. Its
 ///   neighbours are joined through it: its two short edges get the triangle behind its long edge, which itself is left
 ///   out. So it makes neither a gap nor a line.

@@ -158,11 +158,12 @@ void check_orientation(std::span<const glm::vec3> positions, const WeldedTriangl
 } // namespace
 
 MeshHealth inspect(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
-    const WeldedTriangles triangles = weld_triangles(positions, indices);
+    const WeldedTriangles triangles = weld_triangles(positions, indices, Backs::keep);
     MeshHealth health;
     health.triangles = static_cast<std::uint32_t>(triangles.corners.size());
     health.degenerate_triangles = triangles.degenerate;
     health.duplicate_triangles = triangles.duplicate;
+    health.opposed_triangles = triangles.backs;
     for (std::size_t f = 0; f < triangles.corners.size(); ++f) {
         const auto& c = triangles.corners[f];
         if (triangles.kept(f) && is_sliver(positions[c[0]], positions[c[1]], positions[c[2]]))

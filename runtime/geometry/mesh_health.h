@@ -15,7 +15,8 @@ struct MeshHealth {
     std::uint32_t isolated_vertices = 0;     ///< places that no triangle uses
     std::uint32_t degenerate_triangles = 0;  ///< two corners at one place
     std::uint32_t sliver_triangles = 0;      ///< three places, and a height under 1e-6 of the longest edge
-    std::uint32_t duplicate_triangles = 0;   ///< the same three places as an earlier one, either winding
+    std::uint32_t duplicate_triangles = 0;   ///< the same three places and winding as an earlier one
+    std::uint32_t opposed_triangles = 0;     ///< the same three places as an earlier one, and the other winding
     std::uint32_t boundary_edges = 0;        ///< with one triangle
     std::uint32_t holes = 0;                 ///< loops of boundary edges
     std::uint32_t non_manifold_edges = 0;    ///< with three triangles or more

@@ -38,42 +38,70 @@ void drop_degenerate(WeldedTriangles& triangles) {
     }
 }
 
+/// One of the triangles with some lowest vertex.
+struct Candidate {
+    std::uint32_t middle, high, face;
+    bool turned; ///< the winding is low, high, middle
+
+    [[nodiscard]] bool same_places(const Candidate& other) const {
+        return middle == other.middle && high == other.high;
+    }
+};
+
+/// Among triangles with the same places, drops all but the first of each winding, or but the first.
+void drop_copies(std::span<const Candidate> copies, Backs backs, WeldedTriangles& triangles) {
+    bool has_back = false;
+    for (const Candidate& copy : copies.subspan(1)) {
+        const bool is_back = copy.turned != copies[0].turned;
+        const bool first_back = is_back && !has_back;
+        has_back = has_back || is_back;
+        ++(first_back ? triangles.backs : triangles.duplicate);
+        if (first_back && backs == Backs::keep)
+            triangles.has_back[copy.face] = true;
+        else
+            triangles.corners[copy.face].fill(WeldedTriangles::dropped);
+    }
+    triangles.has_back[copies[0].face] = has_back;
+}
+
 /// Triangles are compared within buckets of their lowest vertex.
-void drop_duplicate(WeldedTriangles& triangles) {
-    struct Entry {
-        std::uint32_t middle, high, face;
-    };
+void drop_all_copies(WeldedTriangles& triangles, Backs backs) {
     std::vector<std::size_t> first(triangles.weld.size() + 1, 0);
     for (std::size_t f = 0; f < triangles.corners.size(); ++f)
         if (triangles.kept(f)) ++first[std::ranges::min(triangles.corners[f]) + 1];
     sizes_to_starts(first);
-    std::vector<Entry> entries(first.back());
+    std::vector<Candidate> candidates(first.back());
     std::vector<std::size_t> next(first.begin(), first.end() - 1);
     for (std::size_t f = 0; f < triangles.corners.size(); ++f) {
         if (!triangles.kept(f)) continue;
         auto [a, b, c] = triangles.corners[f];
-        const std::uint32_t low = std::min({a, b, c}), high = std::max({a, b, c});
-        entries[next[low]++] = {a ^ b ^ c ^ low ^ high, high, static_cast<std::uint32_t>(f)};
+        while (a > b || a > c) std::tie(a, b, c) = std::tuple(b, c, a); // the lowest comes first
+        candidates[next[a]++] = {std::min(b, c), std::max(b, c), static_cast<std::uint32_t>(f), b > c};
     }
+    triangles.has_back.assign(triangles.corners.size(), false);
     for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-        const std::span bucket(entries.data() + first[v], first[v + 1] - first[v]);
-        sort_bucket(bucket, [](const Entry& a, const Entry& b) {
+        const std::span bucket(candidates.data() + first[v], first[v + 1] - first[v]);
+        sort_bucket(bucket, [](const Candidate& a, const Candidate& b) {
             return std::tie(a.middle, a.high) < std::tie(b.middle, b.high);
         });
-        for (std::size_t i = 1; i < bucket.size(); ++i) {
-            if (bucket[i].middle != bucket[i - 1].middle || bucket[i].high != bucket[i - 1].high) continue;
-            triangles.corners[bucket[i].face].fill(WeldedTriangles::dropped);
-            ++triangles.duplicate;
+        for (std::size_t i = 0; i < bucket.size();) {
+            std::size_t end = i + 1;
+            while (end < bucket.size() && bucket[end].same_places(bucket[i])) ++end;
+            if (end - i > 1) drop_copies(bucket.subspan(i, end - i), backs, triangles);
+            i = end;
         }
     }
 }
 
 } // namespace
 
-WeldedTriangles weld_triangles(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+WeldedTriangles weld_triangles(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                               Backs backs) {
     HACHURE_ASSERT(indices.size() % 3 == 0, "three indices per triangle");
     HACHURE_ASSERT(indices.size() < WeldedTriangles::dropped, "corners are counted in 32 bits");
-    WeldedTriangles triangles{weld_positions(positions), std::vector<Corners>(indices.size() / 3)};
+    WeldedTriangles triangles;
+    triangles.weld = weld_positions(positions);
+    triangles.corners.resize(indices.size() / 3);
     for (std::size_t f = 0; f < triangles.corners.size(); ++f) {
         for (std::size_t k = 0; k < 3; ++k) {
             HACHURE_ASSERT(indices[3 * f + k] < positions.size(), "indices must be in range");
@@ -81,7 +109,7 @@ WeldedTriangles weld_triangles(std::span<const glm::vec3> positions, std::span<c
         }
     }
     drop_degenerate(triangles);
-    drop_duplicate(triangles);
+    drop_all_copies(triangles, backs);
     return triangles;
 }
 

@@ -19,14 +19,19 @@ struct WeldedTriangles {
     std::vector<std::uint32_t> weld; ///< vertex -> first vertex at its place
     /// Per triangle of the input its three places, or three times `dropped`.
     std::vector<std::array<std::uint32_t, 3>> corners;
+    std::vector<bool> has_back;   ///< per triangle: another one lies on it that faces the other way
     std::uint32_t degenerate = 0; ///< dropped: two corners at one place
-    std::uint32_t duplicate = 0;  ///< dropped: the same places as an earlier triangle, either winding
+    std::uint32_t duplicate = 0;  ///< dropped: the same places as an earlier triangle, with the same winding
+    std::uint32_t backs = 0;      ///< the same places as an earlier triangle, with the other winding
 
     [[nodiscard]] bool kept(std::size_t face) const { return corners[face][0] != dropped; }
 };
 
+/// What to do with triangles that lie back to back with an earlier one.
+enum class Backs : std::uint8_t { keep, drop };
+
 [[nodiscard]] WeldedTriangles weld_triangles(std::span<const glm::vec3> positions,
-                                             std::span<const std::uint32_t> indices);
+                                             std::span<const std::uint32_t> indices, Backs backs);
 
 /// One triangle's use of an edge.
 struct EdgeUse {
