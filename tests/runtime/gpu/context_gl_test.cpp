@@ -174,6 +174,7 @@ TEST(MakeContext, ChoosesABackendByItself) {
 
 TEST(MakeContext, NamesTheBackendThatFails) {
     if (getenv("DISPLAY") != nullptr || getenv("WAYLAND_DISPLAY") != nullptr) GTEST_SKIP() << "there is a display";
+    const auto before = try_context(Backend::automatic);
     try {
         (void)make_context({.backend = Backend::glfw});
         FAIL() << "a window was opened without a display";
@@ -181,6 +182,7 @@ TEST(MakeContext, NamesTheBackendThatFails) {
         EXPECT_THAT(error.what(), ::testing::StartsWith("glfw: "));
         EXPECT_THAT(error.what(), ::testing::HasSubstr("DISPLAY"));
     }
+    EXPECT_EQ(Context::current(), before.get());
 }
 
 TEST(BackendNames, GoBothWays) {
