@@ -72,6 +72,28 @@ ContextLimits query_limits() {
     return limits;
 }
 
+std::unique_ptr<Context> make_native_context(const ContextOptions& options) {
+    switch (options.backend) {
+    case Backend::egl:
+        return detail::make_egl_context(options);
+    case Backend::osmesa:
+        return detail::make_osmesa_context(options);
+    case Backend::glfw:
+        return detail::make_glfw_context(options);
+    case Backend::automatic:
+        break;
+    }
+    try {
+        return detail::make_egl_context(options);
+    } catch (const Error& egl) {
+        try {
+            return detail::make_osmesa_context(options);
+        } catch (const Error& osmesa) {
+            throw Error(fmt::format("no OpenGL context could be made: {}; {}", egl.what(), osmesa.what()));
+        }
+    }
+}
+
 } // namespace
 
 std::string_view to_string(Backend backend) {
@@ -129,24 +151,14 @@ void Context::finish_setup(detail::GetProcAddress get_proc_address, bool debug) 
 }
 
 std::unique_ptr<Context> make_context(const ContextOptions& options) {
-    switch (options.backend) {
-    case Backend::egl:
-        return detail::make_egl_context(options);
-    case Backend::osmesa:
-        return detail::make_osmesa_context(options);
-    case Backend::glfw:
-        return detail::make_glfw_context(options);
-    case Backend::automatic:
-        break;
-    }
+    // GLX refuses to make its context current, on its own way through glfwCreateWindow, while one of EGL's is.
+    Context* const before = Context::current();
+    Context::release_current();
     try {
-        return detail::make_egl_context(options);
-    } catch (const Error& egl) {
-        try {
-            return detail::make_osmesa_context(options);
-        } catch (const Error& osmesa) {
-            throw Error(fmt::format("no OpenGL context could be made: {}; {}", egl.what(), osmesa.what()));
-        }
+        return make_native_context(options);
+    } catch (...) {
+        if (before != nullptr) before->make_current();
+        throw;
     }
 }
 

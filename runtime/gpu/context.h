@@ -118,7 +118,8 @@ private:
     std::unique_ptr<DebugMessages> debug_messages_;
 };
 
-/// Makes a context and makes it current on this thread. Throws Error that names the back end and says why not.
+/// Makes a context and makes it current on this thread. Throws Error that names the back end and says why not; what was
+/// current stays current then.
 [[nodiscard]] std::unique_ptr<Context> make_context(const ContextOptions& options = {});
 
 namespace detail {

@@ -62,7 +62,7 @@ void check_compiled(const Shader& shader, const ShaderSource& source) {
     gl().GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
     if (compiled != GL_FALSE) return;
     const std::string log = read_log(shader.name(), gl().GetShaderiv, gl().GetShaderInfoLog);
-    const std::string readable = readable_shader_log(log, source.files);
+    const std::string readable = readable_shader_log(log, source);
     if (readable.empty()) throw Error(source.files.empty() ? "shader" : source.files.front(), "it does not compile");
     throw Error(one_line(readable));
 }

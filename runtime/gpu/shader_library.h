@@ -15,10 +15,10 @@ namespace hachure::gpu {
 /// What a program is made of: files below shaders/, either vertex and fragment or compute; the others are empty. The
 /// defines go into every stage.
 struct ProgramSource {
-    std::string vertex;
-    std::string fragment;
-    std::string compute;
-    std::vector<ShaderDefine> defines;
+    std::string vertex = {};
+    std::string fragment = {};
+    std::string compute = {};
+    std::vector<ShaderDefine> defines = {};
 
     /// "common/full_screen.vert+gooch/gooch.frag [SHADOWS=1]": its label, and what it is cached under.
     [[nodiscard]] std::string key() const;

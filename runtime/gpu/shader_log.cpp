@@ -24,40 +24,38 @@ bool take(std::string_view& text, std::string_view prefix) {
 }
 
 struct Message {
-    std::size_t file = 0;
-    std::size_t line = 0;
+    std::size_t line = 0; ///< of the text given to the compiler, from 1
     std::string_view text;
 };
 
-/// "FILE:LINE(COLUMN): text"
+// STRING is the source-string number, which is always 0 here: a shader is handed over as one string.
+
+/// "STRING:LINE(COLUMN): text"
 std::optional<Message> parse_mesa(std::string_view line) {
-    const auto file = take_number(line);
-    if (!file || !take(line, ":")) return std::nullopt;
+    if (!take_number(line) || !take(line, ":")) return std::nullopt;
     const auto number = take_number(line);
     if (!number || !take(line, "(") || !take_number(line) || !take(line, "): ")) return std::nullopt;
-    return Message{*file, *number, line};
+    return Message{*number, line};
 }
 
-/// "FILE(LINE) : text"
+/// "STRING(LINE) : text"
 std::optional<Message> parse_nvidia(std::string_view line) {
-    const auto file = take_number(line);
-    if (!file || !take(line, "(")) return std::nullopt;
+    if (!take_number(line) || !take(line, "(")) return std::nullopt;
     const auto number = take_number(line);
     if (!number || !take(line, ") : ")) return std::nullopt;
-    return Message{*file, *number, line};
+    return Message{*number, line};
 }
 
-/// "ERROR: FILE:LINE: text"
+/// "ERROR: STRING:LINE: text"
 std::optional<Message> parse_glslang(std::string_view line) {
     if (!take(line, "ERROR: ") && !take(line, "WARNING: ")) return std::nullopt;
-    const auto file = take_number(line);
-    if (!file || !take(line, ":")) return std::nullopt;
+    if (!take_number(line) || !take(line, ":")) return std::nullopt;
     const auto number = take_number(line);
     if (!number || !take(line, ": ")) return std::nullopt;
-    return Message{*file, *number, line};
+    return Message{*number, line};
 }
 
-std::string readable_line(std::string_view line, std::span<const std::string> files) {
+std::string readable_line(std::string_view line, const ShaderSource& source) {
     auto message = parse_mesa(line);
     if (!message) message = parse_nvidia(line);
     std::string_view kind;
@@ -65,13 +63,14 @@ std::string readable_line(std::string_view line, std::span<const std::string> fi
         message = parse_glslang(line);
         kind = line.starts_with("ERROR") ? "error: " : "warning: ";
     }
-    if (!message || message->file >= files.size()) return std::string(line);
-    return fmt::format("{}:{}: {}{}", files[message->file], message->line, kind, message->text);
+    if (!message || message->line == 0 || message->line > source.lines.size()) return std::string(line);
+    const ShaderSource::Line& place = source.lines[message->line - 1];
+    return fmt::format("{}:{}: {}{}", source.files[place.file], place.number, kind, message->text);
 }
 
 } // namespace
 
-std::string readable_shader_log(std::string_view log, std::span<const std::string> files) {
+std::string readable_shader_log(std::string_view log, const ShaderSource& source) {
     std::string readable;
     while (!log.empty()) {
         const std::size_t end = std::min(log.find('\n'), log.size());
@@ -81,7 +80,7 @@ std::string readable_shader_log(std::string_view log, std::span<const std::strin
             line.remove_suffix(1);
         if (line.empty()) continue;
         if (!readable.empty()) readable += '\n';
-        readable += readable_line(line, files);
+        readable += readable_line(line, source);
     }
     return readable;
 }

@@ -82,48 +82,45 @@ private:
         return files_.read(name);
     }
 
+    struct Place {
+        const std::string& name;
+        std::uint32_t file;
+        std::uint32_t number;
+
+        [[nodiscard]] std::string line() const { return fmt::format("line {}", number); }
+    };
+
     void append(const std::string& name, std::string_view text) {
-        const std::size_t file = source_.files.size();
-        const bool root = file == 0;
+        const auto file = static_cast<std::uint32_t>(source_.files.size());
         source_.files.push_back(name);
         open_.push_back(name);
-        if (!root) source_.text += fmt::format("#line 1 {}\n", file);
         bool versioned = false, in_comment = false;
-        for (std::size_t number = 1; !text.empty(); ++number) {
+        for (std::uint32_t number = 1; !text.empty(); ++number) {
             const std::size_t end = std::min(text.find('\n'), text.size());
             const std::string_view line = text.substr(0, end);
             text.remove_prefix(std::min(end + 1, text.size()));
             append_line(line, Place{name, file, number}, in_comment, versioned);
             in_comment = comment_open_after(line, in_comment);
         }
-        if (root && !versioned) throw Error(name, "the shader has no #version");
+        if (file == 0 && !versioned) throw Error(name, "the shader has no #version");
         if (in_comment) throw Error(name, "a /* comment is not closed");
         open_.pop_back();
     }
 
-    struct Place {
-        const std::string& name;
-        std::size_t file;
-        std::size_t number;
-
-        [[nodiscard]] std::string line() const { return fmt::format("line {}", number); }
-    };
-
     void append_line(std::string_view line, const Place& place, bool in_comment, bool& versioned) {
-        if (!in_comment) {
-            if (const auto path = directive(line, "include")) return include(*path, place);
-            if (directive(line, "version")) {
-                if (place.file != 0) throw Error(place.name, "an included file has a #version", place.line());
-                versioned = true;
-                source_.text.append(line).append("\n");
-                for (const ShaderDefine& define : defines_) {
-                    source_.text += fmt::format("#define {} {}\n", define.name, define.value);
-                }
-                source_.text += fmt::format("#line {} 0\n", place.number + 1);
-                return;
-            }
-        }
+        const auto path = in_comment ? std::nullopt : directive(line, "include");
+        if (path) return include(*path, place);
+        emit(line, place);
+        if (in_comment || !directive(line, "version")) return;
+        if (place.file != 0) throw Error(place.name, "an included file has a #version", place.line());
+        versioned = true;
+        for (const ShaderDefine& define : defines_)
+            emit(fmt::format("#define {} {}", define.name, define.value), place);
+    }
+
+    void emit(std::string_view line, const Place& place) {
         source_.text.append(line).append("\n");
+        source_.lines.push_back({place.file, place.number});
     }
 
     void include(std::string_view written, const Place& place) {
@@ -143,7 +140,6 @@ private:
             const std::optional<std::string> text = already ? std::string() : find(*candidate);
             if (!text) continue;
             if (!already) append(*candidate, *text);
-            source_.text += fmt::format("#line {} {}\n", place.number + 1, place.file);
             return;
         }
         throw Error(place.name, fmt::format("there is no \"{}\" to include", *path), place.line());

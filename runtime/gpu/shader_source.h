@@ -50,10 +50,21 @@ private:
 };
 
 /// A shader with its includes in place, ready for glShaderSource.
+///
+/// Compilers count the lines of `text`; `lines` leads back to the files. (The usual way, `#line` with a source-string
+/// number, does not: Mesa prints number 0 for most messages, whatever the number was.)
 struct ShaderSource {
-    std::string text;
-    /// Every file in it; the index is the source-string number that `#line` gives and compilers print.
-    std::vector<std::string> files;
+    /// Where a line of `text` comes from.
+    struct Line {
+        std::uint32_t file = 0;   ///< index into `files`
+        std::uint32_t number = 0; ///< from 1
+
+        friend bool operator==(const Line&, const Line&) = default;
+    };
+
+    std::string text;               ///< each line ends with a newline
+    std::vector<std::string> files; ///< every file in it, the shader itself first
+    std::vector<Line> lines;        ///< one per line of `text`; a define has the place of the #version
 };
 
 /// Reads `name`, puts `defines` after its #version (which it must have), and replaces each
@@ -67,9 +78,9 @@ struct ShaderSource {
                                               std::span<const ShaderDefine> defines = {},
                                               const std::function<void(const std::string&)>& look = {});
 
-/// A compiler's log with file names instead of source-string numbers, one message per line:
-/// "gooch/gooch.frag:12: error: ...". Reads the forms of Mesa "0:12(5): error: ...", NVIDIA "0(12) : error C0000: ..."
+/// A compiler's log with places in the files of `source`, one message per line: "gooch/gooch.frag:12: error: ...".
+/// Reads the forms of Mesa "0:12(5): error: ...", NVIDIA "0(12) : error C0000: ..."
 /// and glslang "ERROR: 0:12: ..."; other lines stay as they are.
-[[nodiscard]] std::string readable_shader_log(std::string_view log, std::span<const std::string> files);
+[[nodiscard]] std::string readable_shader_log(std::string_view log, const ShaderSource& source);
 
 } // namespace hachure::gpu

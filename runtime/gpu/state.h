@@ -25,8 +25,8 @@ enum class Blend : std::uint8_t {
 
 /// The fixed-function state of a pass. Its defaults suit a full-screen pass.
 struct DrawState {
-    Rect viewport;               ///< pixels, width and height >= 0
-    std::optional<Rect> scissor; ///< where drawing and clearing are confined to, if anywhere
+    Rect viewport = {};               ///< pixels, width and height >= 0
+    std::optional<Rect> scissor = {}; ///< where drawing and clearing are confined to, if anywhere
 
     DepthTest depth_test = DepthTest::off;
     bool depth_write = false; ///< needs a depth test other than off
