@@ -3,6 +3,8 @@
 #include <hachure/runtime/gpu/frame_graph.h>
 #include <hachure/runtime/gpu/frame_graph_null.h>
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -110,8 +112,19 @@ private:
         if (spec.side_effect) pass.side_effect();
     }
 
+    /// Ids from 1000 on are the tests' imported ones, which have no shape here.
+    void expect_shape(const PassContext& context, TextureHandle handle) {
+        const std::uint32_t id = context.texture(handle);
+        if (id >= 1000) return;
+        ASSERT_TRUE(backend.desc(id));
+        EXPECT_EQ(*backend.desc(id), context.desc(handle));
+    }
+
     void execute(const PassSpec& spec, const Uses& uses, PassContext& context) {
         if (spec.also) spec.also(context);
+        for (const auto* handles : {&uses.created, &uses.read, &uses.written}) {
+            for (const auto handle : *handles) expect_shape(context, handle);
+        }
         std::vector<std::uint64_t> inputs;
         for (const auto handle : uses.read) inputs.push_back(backend.contents(context.texture(handle)));
         for (std::size_t i = 0; i < uses.written.size(); ++i) {
