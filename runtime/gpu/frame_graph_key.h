@@ -55,7 +55,7 @@ private:
     void combine(std::uint64_t bits) { state_ = mix(std::rotl(state_, 23) ^ mix(bits + 0x9e3779b97f4a7c15u)); }
 
     void add_bytes(const void* data, std::size_t size) {
-        combine(size);
+        combine(size ^ 0x13198a2e03707344u); // so that "" is not the number 0
         const char* bytes = static_cast<const char*>(data);
         for (std::size_t at = 0; at < size; at += sizeof(std::uint64_t)) {
             std::uint64_t word = 0;

@@ -49,6 +49,11 @@ void NullBackend::finish() {
     for (auto& [ticket, timer] : timers_) timer.ready = true;
 }
 
+const TextureDesc* NullBackend::desc(std::uint32_t id) const {
+    const auto texture = textures_.find(id);
+    return texture == textures_.end() ? nullptr : &texture->second;
+}
+
 std::size_t NullBackend::alive_bytes() const {
     return std::accumulate(textures_.begin(), textures_.end(), std::size_t{0},
                            [](std::size_t sum, const auto& texture) { return sum + texture.second.bytes(); });

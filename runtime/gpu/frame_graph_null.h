@@ -28,6 +28,9 @@ public:
     /// that no other one ever held.
     [[nodiscard]] std::uint64_t& contents(std::uint32_t id) { return contents_[id]; }
 
+    /// The shape a living texture was created with; null for other ids, imported ones among them.
+    [[nodiscard]] const TextureDesc* desc(std::uint32_t id) const;
+
     [[nodiscard]] std::size_t created() const { return created_; }
     [[nodiscard]] std::size_t destroyed() const { return destroyed_; }
     [[nodiscard]] std::size_t alive() const { return textures_.size(); }
