@@ -114,8 +114,7 @@ public:
         if (dice < 85) return clear_parent();
         if (dice < 93) return use_commands();
         if (dice < 97) return sweep();
-        world_.advance_tick();
-        ++model_.tick;
+        advance_tick();
     }
 
     void compare() {
@@ -223,6 +222,15 @@ private:
         const Entity child = any();
         world_.clear_parent(child);
         if (alive(child)) model_.unlink(child);
+    }
+
+    void advance_tick() {
+        world_.advance_tick();
+        ++model_.tick;
+        if (pick(10) != 0) return;
+        const Tick before = model_.tick - std::min(model_.tick, pick(20));
+        world_.forget_removed_before(before);
+        std::erase_if(model_.removals, [before](const Removal& removal) { return removal.tick < before; });
     }
 
     /// Queues changes of what a query walks; the model makes them afterwards, in the same order.
