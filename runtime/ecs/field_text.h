@@ -13,8 +13,8 @@ namespace hachure {
 /// except in text. Throws Error(field.path, fault) on anything else, and on what FieldInfo::fault finds.
 FieldValue parse_field(const FieldInfo& field, std::string_view text);
 
-/// Writes a value of the field so that `parse_field` gives exactly the same value back, in the fewest digits that do;
-/// vectors and colours as `1 0 0`. `value` has the alternative that the field's default has.
+/// Writes a value of the field so that `parse_field` gives exactly the same value back, in the fewest significant
+/// digits; vectors and colours as `1 0 0`. `value` has the alternative that the field's default has.
 std::string format_field(const FieldInfo& field, const FieldValue& value);
 
 } // namespace hachure
