@@ -134,6 +134,7 @@ int run_render(const RenderOptions& options) {
     const Canvas canvas = parse_size(options.size);
     const gpu::Backend backend = parse_backend(options.backend);
     const std::vector<AovOutput> aovs = parse_aovs(options.aovs);
+    std::unique_ptr<gpu::Context> context; // outlives the app, whose world owns GPU objects
     App app;
     register_capabilities(app);
     const std::vector<Assignment> assignments = parse_assignments(app.types(), options.sets);
@@ -147,7 +148,7 @@ int run_render(const RenderOptions& options) {
     Progress progress("reading " + options.input.filename().string());
     const assets::Model model = assets::read_model(options.input);
     progress.stage("preparing");
-    const std::unique_ptr<gpu::Context> context = gpu::make_context(context_options(backend, canvas));
+    context = gpu::make_context(context_options(backend, canvas));
     check_size(canvas, *context);
     Renderer renderer(app, *context);
     load_model(app, model, options.input, canvas);

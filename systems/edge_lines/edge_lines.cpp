@@ -110,8 +110,8 @@ void register_edge_lines(App& app) {
     app.add_component<EdgeLines>();
     app.world().set_resource(EdgeLineFrame{});
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
-    app.add_system(Stage::material, "edge_lines", update_batches);
-    app.add_system(Stage::render, "edge_lines", declare_pass);
+    app.add_system(Stage::material, "edge_lines.select", update_batches);
+    app.add_system(Stage::render, "edge_lines.pass", declare_pass);
 }
 
 } // namespace hachure

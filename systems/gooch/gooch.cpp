@@ -42,8 +42,8 @@ void declare_pass(World& world) {
 
 void register_gooch(App& app) {
     app.add_component<Gooch>();
-    app.add_system(Stage::material, "gooch", claim_items);
-    app.add_system(Stage::render, "gooch", declare_pass);
+    app.add_system(Stage::material, "gooch.claim", claim_items);
+    app.add_system(Stage::render, "gooch.pass", declare_pass);
 }
 
 } // namespace hachure

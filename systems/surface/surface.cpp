@@ -120,8 +120,8 @@ void register_surface(App& app) {
     aovs.push_back({"normal", "unit surface normal in the world, on the side that is seen; 0 where nothing is drawn",
                     {"normal.X", "normal.Y", "normal.Z"}});
     aovs.push_back({"object_id", "1 for the surface entity made first, and so on; 0 where nothing is drawn", {"object_id"}});
-    app.add_system(Stage::material, "surface", update_draw_list);
-    app.add_system(Stage::render, "surface", declare_passes);
+    app.add_system(Stage::material, "surface.collect", update_draw_list);
+    app.add_system(Stage::render, "surface.passes", declare_passes);
 }
 
 } // namespace hachure
