@@ -34,7 +34,5 @@ function(hachure_add_library)
   set_target_properties(hachure PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_include_directories(hachure PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  target_compile_definitions(hachure PRIVATE HACHURE_VERSION="${PROJECT_VERSION}"
-    HACHURE_SHADER_SOURCE_DIR="${PROJECT_SOURCE_DIR}/shaders")
   hachure_link_dependencies(hachure)
 endfunction()

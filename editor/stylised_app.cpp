@@ -31,8 +31,8 @@ void load_model(App& app, const assets::Model& model, const std::filesystem::pat
     const SpawnedModel spawned = spawn_model(world, model);
     for (const std::string& warning : model.warnings) log_warning(file.string() + ": " + warning);
     for (const std::string& warning : spawned.warnings) log_warning(file.string() + ": " + warning);
-    if (spawned.bounds.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
-    if (spawned.cameras.empty()) spawn_framing_camera(world, spawned.bounds, canvas);
+    if (spawned.points.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
+    if (spawned.cameras.empty()) spawn_framing_camera(world, spawned.points, canvas);
     if (spawned.lights.empty()) spawn_default_light(world);
 }
 

@@ -6,6 +6,7 @@
 
 flat in vec4 segment;
 flat in vec2 depths;
+flat in float tolerance; // pixels: how far the edge may lie behind what the depth buffer holds around it
 
 uniform vec3 color;
 uniform float half_width;
@@ -14,7 +15,7 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 layout(location = 0) out vec4 out_line;
 
 // Whether a point at window depth `depth` is in front of something around pixel `at`. The farthest of nine samples
-// decides: on a silhouette one side lies behind; on a crease both sides are near the edge, `tolerance` apart.
+// decides: on a silhouette one side lies behind; on a concave crease both sides come nearer, by `tolerance` at most.
 bool visible(vec2 at, float depth) {
     ivec2 last = ivec2(viewport) - 1;
     ivec2 center = clamp(ivec2(at), ivec2(0), last);
@@ -25,8 +26,7 @@ bool visible(vec2 at, float depth) {
     if (farthest <= 0.0) return true; // the background
     float line = view_depth(depth);
     float pixel = pixel_size * (eye.w > 0.0 ? line : 1.0);
-    float tolerance = 3.0 * pixel + 1e-5 * line;
-    return line <= view_depth(farthest) + tolerance;
+    return line <= view_depth(farthest) + tolerance * pixel + 1e-5 * line;
 }
 
 void main() {

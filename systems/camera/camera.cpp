@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 
 namespace hachure {
 namespace {
@@ -38,6 +39,35 @@ glm::mat4 projection_matrix(const Camera& camera, float aspect) {
 glm::vec3 unit_or(glm::vec3 v, glm::vec3 fallback) {
     const float length = glm::length(v);
     return length > 0.0f && std::isfinite(length) ? v / length : fallback;
+}
+
+constexpr float framing_margin = 1.08f; // room for lines and for the eye
+
+struct FramingFit {
+    glm::vec3 eye;       ///< in the camera's axes
+    float nearest_depth; ///< of the points
+};
+
+/// The nearest eye that sees all points within the slopes. Per axis, the planes x = +-slope * depth that touch the
+/// points meet where the eye has to be; the farther of the two axes decides.
+FramingFit fit_points(std::span<const glm::vec3> points, const glm::quat& camera_from_world, float slope_x,
+                      float slope_y) {
+    const glm::vec2 slope(slope_x, slope_y);
+    glm::vec2 high(std::numeric_limits<float>::lowest()), low(high);
+    float nearest = std::numeric_limits<float>::lowest(), farthest = std::numeric_limits<float>::max();
+    for (const glm::vec3& point : points) {
+        const glm::vec3 p = camera_from_world * point;
+        high = glm::max(high, glm::vec2(p) + slope * p.z);
+        low = glm::max(low, slope * p.z - glm::vec2(p));
+        nearest = std::max(nearest, p.z);
+        farthest = std::min(farthest, p.z);
+    }
+    const glm::vec2 center = 0.5f * (high - low);
+    const glm::vec2 depth = 0.5f * (high + low) / slope;
+    const float size = std::max({depth.x - nearest, depth.y - nearest, nearest - farthest});
+    const float least = nearest + std::max(0.05f * size, size > 0.0f ? 0.0f : 1.0f);
+    const float z = std::max({depth.x, depth.y, least});
+    return {{center, z}, z - nearest};
 }
 
 /// The active camera that was made first: queries promise no order, entity indices do.
@@ -84,27 +114,17 @@ View make_view(const Camera& camera, const glm::mat4& world_from_camera, Canvas 
     return view;
 }
 
-Entity spawn_framing_camera(World& world, const geometry::Bounds& bounds, Canvas canvas) {
+Entity spawn_framing_camera(World& world, std::span<const glm::vec3> points, Canvas canvas) {
     Camera camera;
-    const float radius = bounds.radius() > 0.0f ? bounds.radius() : 1.0f;
-    const float aspect = static_cast<float>(canvas.width) / static_cast<float>(canvas.height);
-    const float half_angle = std::atan(std::tan(0.5f * camera.yfov) * std::min(1.0f, aspect));
     const glm::quat turn = glm::angleAxis(0.45f, glm::vec3(0.0f, 1.0f, 0.0f)) *
                            glm::angleAxis(-0.22f, glm::vec3(1.0f, 0.0f, 0.0f));
-    // The corners of the box, not the sphere around it, decide the distance, so that tall and flat things fill the view.
-    const glm::quat inverse = glm::conjugate(turn);
-    const float slope_y = std::tan(0.5f * camera.yfov), slope_x = slope_y * aspect;
-    float distance = 0.0f;
-    for (int i = 0; i < 8; ++i) {
-        const glm::vec3 corner = inverse * (bounds.empty() ? glm::vec3(0.0f) : bounds.corner(i) - bounds.center());
-        distance = std::max({distance, corner.z + std::abs(corner.x) / slope_x, corner.z + std::abs(corner.y) / slope_y});
-    }
-    if (!(distance > 0.0f)) distance = radius / std::sin(half_angle);
-    distance *= 1.08f; // a margin for lines and for the eye
-    camera.znear = std::max(1e-9f, std::max(distance - 1.5f * radius, 1e-3f * distance));
+    const float slope_y = std::tan(0.5f * camera.yfov) / framing_margin;
+    const float slope_x = slope_y * static_cast<float>(canvas.width) / static_cast<float>(canvas.height);
+    const FramingFit fit = fit_points(points, glm::conjugate(turn), slope_x, slope_y);
+    camera.znear = std::max(1e-9f, 0.5f * fit.nearest_depth);
     Transform transform;
     transform.rotation = turn;
-    transform.translation = bounds.center() + turn * glm::vec3(0.0f, 0.0f, distance);
+    transform.translation = turn * fit.eye;
     const Entity entity = world.create();
     world.add(entity, transform);
     world.add(entity, camera);

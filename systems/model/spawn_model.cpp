@@ -157,7 +157,14 @@ private:
         world_.add(entity, Surface{mesh});
         result_.surfaces.push_back(entity);
         const glm::mat4 matrix = skinned ? glm::mat4(1.0f) : matrices_[index];
-        result_.bounds.include(transformed(store_.mesh(mesh).bounds, matrix));
+        add_points(store_.mesh(mesh), matrix);
+    }
+
+    void add_points(const SurfaceMesh& mesh, const glm::mat4& matrix) {
+        std::vector<bool> used(mesh.positions.size(), false);
+        for (const std::uint32_t index : mesh.indices) used[index] = true;
+        for (std::size_t i = 0; i < used.size(); ++i)
+            if (used[i]) result_.points.push_back(glm::vec3(matrix * glm::vec4(mesh.positions[i], 1.0f)));
     }
 
     /// Nodes that share an undeformed mesh share its vertices.

@@ -2,8 +2,8 @@
 
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/ecs/world.h>
-#include <hachure/runtime/geometry/bounds.h>
 
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
@@ -15,7 +15,7 @@ struct SpawnedModel {
     std::vector<Entity> surfaces; ///< entities with Surface, in the order of the file's nodes
     std::vector<Entity> cameras;  ///< the first is active
     std::vector<Entity> lights;
-    geometry::Bounds bounds;           ///< of all surfaces, in the world
+    std::vector<glm::vec3> points;     ///< every vertex of every surface that a triangle uses, in the world
     std::vector<std::string> warnings; ///< images that could not be decoded, one line each
 };
 
