@@ -11,6 +11,7 @@
 /// - Polygons are cut into triangles (convex and concave, see geometry/triangulate.h) that keep their winding.
 /// - `normals` is filled only where the file has usable ones, and then of unit length; otherwise it stays empty, to be
 ///   computed. Tangents stay empty.
+/// - Texture coordinates are counted from the top of the image, as in glTF; in the files it is the bottom.
 /// - Colours of vertices and materials are taken as sRGB, as the tools that write them do, and given as linear RGBA.
 /// - Faces with fewer than three corners are dropped, triangles that repeat a vertex are kept (they cover no pixel, and
 ///   geometry/mesh_health.h counts them); `Model::warnings` has one line for each kind, with its count.
@@ -24,8 +25,8 @@ namespace hachure::assets {
 /// Wavefront OBJ. `o` starts a mesh with a node of its own, named after it; `usemtl` starts a primitive of that mesh,
 /// or continues the one with the same material. `g` and `s` do not split, since they cut through connected surfaces.
 /// Corners `v`, `v/t`, `v//n` and `v/t/n`, absolute or relative; a distinct triple becomes a vertex. `v` may carry a
-/// colour. Of material libraries `newmtl`, `Kd`, `Ke`, `d`, `Tr` and `map_Kd` are read, and they and their images only
-/// from beside the file: no absolute path, no "..", no URL. What is missing or not understood is a warning.
+/// colour. Of material libraries `newmtl`, `Kd`, `Ke`, `d`, `Tr`, `Pr`, `Pm` and `map_Kd` are read, and they and their
+/// images only from beside the file: no absolute path, no "..", no URL. What is missing or not understood is a warning.
 [[nodiscard]] Model read_obj(const std::filesystem::path& file);
 
 /// Stanford PLY, ascii and binary of either byte order: any order and type of properties, faces as lists of any count

@@ -7,10 +7,14 @@
 namespace hachure::assets {
 namespace {
 
+/// Some writers end the text with the zero that ends their strings.
+std::string_view without_padding(std::string_view text) { return text.substr(0, text.find_last_not_of('\0') + 1); }
+
 class ObjParser {
 public:
     ObjParser(const std::filesystem::path& file, std::string_view text, WarningList& warnings)
-        : scan_(file, text), warnings_(warnings) {
+        : scan_(file, without_padding(text)), warnings_(warnings) {
+        if (text.starts_with("\xef\xbb\xbf")) scan_.advance(3); // a byte order mark
         data_.objects.push_back(model_name(file));
         data_.runs.push_back({0, 0, -1});
         data_.positions.reserve(text.size() / 80);

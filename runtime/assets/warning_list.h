@@ -11,11 +11,13 @@ namespace hachure::assets {
 /// Collects what a reader wants to say: each kind gives one line, however often it occurs.
 class WarningList {
 public:
-    /// "KIND: FIRST, SECOND, THIRD and 5 more", each name once.
+    /// "KIND: FIRST, SECOND, THIRD and 5 more", each name once, cut short and on one line.
     void add_name(std::string_view kind, std::string_view name) {
         constexpr std::size_t shown = 8, longest = 64;
         Entry& entry = find(kind);
-        const std::string text(name.substr(0, longest));
+        std::string text(name.substr(0, longest));
+        std::ranges::replace_if(
+            text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
         if (std::ranges::find(entry.names, text) != entry.names.end()) return;
         if (entry.names.size() < shown)
             entry.names.push_back(text);

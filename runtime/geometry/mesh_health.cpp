@@ -64,7 +64,7 @@ void count_vertices(const WeldedTriangles& triangles, std::span<const std::uint3
     }
 }
 
-/// A loop passes from one border edge to the next through a fan, so that holes touching at a vertex stay two.
+/// A loop passes from one border edge to the next along the fan of triangles between them.
 std::uint32_t count_holes(Walk& walk) {
     UnionFind loops(walk.across.size());
     for (const EdgeUse& use : walk.border) loops.join(walk.fans.find(use.corner), walk.fans.find(use.end_corner()));

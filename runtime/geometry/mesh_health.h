@@ -18,7 +18,7 @@ struct MeshHealth {
     std::uint32_t duplicate_triangles = 0;   ///< the same three places and winding as an earlier one
     std::uint32_t opposed_triangles = 0;     ///< the same three places as an earlier one, and the other winding
     std::uint32_t boundary_edges = 0;        ///< with one triangle
-    std::uint32_t holes = 0;                 ///< loops of boundary edges
+    std::uint32_t holes = 0;                 ///< loops of boundary edges; those that touch at a vertex are one
     std::uint32_t non_manifold_edges = 0;    ///< with three triangles or more
     std::uint32_t non_manifold_vertices = 0; ///< whose triangles are not all connected through edges at the vertex
     std::uint32_t mismatched_edges = 0;      ///< with two triangles that disagree which side is the front

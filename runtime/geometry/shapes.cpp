@@ -36,7 +36,9 @@ void add_disc(Shape& shape, double radius, double height, double facing, std::ui
     const glm::dvec3 normal(0.0, facing, 0.0);
     const std::uint32_t centre = add(shape, {0.0, height, 0.0}, normal, {0.5, 0.5});
     for (std::uint32_t i = 0; i < slices; ++i) {
-        const glm::dvec3 p = around_y(facing * i / slices);
+        // The same angles as on the wall, bit for bit, so that the rim is closed; seen from below they fall.
+        const std::uint32_t step = facing > 0.0 ? i : (slices - i) % slices;
+        const glm::dvec3 p = around_y(static_cast<double>(step) / slices);
         add(shape, radius * p + glm::dvec3(0.0, height, 0.0), normal, {0.5 + 0.5 * p.x, 0.5 - 0.5 * facing * p.z});
         triangle(shape, centre, centre + 1 + i, centre + 1 + (i + 1) % slices);
     }
@@ -63,6 +65,16 @@ std::uint32_t add_torus_vertex(Shape& shape, double major, double minor, double 
     const glm::dvec3 out = around_y(around);
     const glm::dvec3 normal = std::cos(tau * across) * out + glm::dvec3(0.0, std::sin(tau * across), 0.0);
     return add(shape, major * out + minor * normal, normal, {around, across});
+}
+
+bool faces_front(const Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const glm::dvec3 p(shape.positions[a]), q(shape.positions[b]), r(shape.positions[c]);
+    return glm::dot(glm::cross(q - p, r - p), glm::dvec3(shape.normals[a])) > 0.0;
+}
+
+/// Whether both triangles of the quad face the front when it is cut from `a` to `c`.
+bool is_cut_by(const Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    return faces_front(shape, a, b, c) && faces_front(shape, a, c, d);
 }
 
 /// Uniform in [-1, 1), from a counter: any vertex can be computed on its own (splitmix64).
@@ -130,7 +142,10 @@ Shape irregular_torus(double major, double minor, std::uint32_t around, std::uin
         for (std::uint32_t j = 0; j < across; ++j) {
             const std::uint32_t k = (i + 1) % around, l = (j + 1) % across;
             const std::uint32_t a = i * across + j, b = k * across + j, c = k * across + l, d = i * across + l;
-            if (noise(seed, a, 2) < 0.0)
+            // A large jitter makes some cells concave, and then only one of the diagonals lies inside.
+            const bool other = noise(seed, a, 2) < 0.0;
+            const bool from_a = other ? !is_cut_by(shape, b, c, d, a) : is_cut_by(shape, a, b, c, d);
+            if (from_a)
                 quad(shape, a, b, c, d);
             else
                 quad(shape, b, c, d, a);
