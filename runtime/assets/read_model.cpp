@@ -1,8 +1,7 @@
-#include <hachure/runtime/assets/read_model.h>
-
 #include <hachure/runtime/assets/complete.h>
 #include <hachure/runtime/assets/gltf.h>
 #include <hachure/runtime/assets/mesh_files.h>
+#include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/assets/video_file.h>
 #include <hachure/runtime/error.h>
 
