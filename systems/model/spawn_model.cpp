@@ -56,11 +56,7 @@ private:
 
 SurfaceMaterial surface_material(const Model& model, std::int32_t index, Textures& textures) {
     SurfaceMaterial result;
-    if (index < 0) {
-        // Plain meshes say nothing of their orientation; both sides are drawn.
-        result.double_sided = model.materials.empty();
-        return result;
-    }
+    if (index < 0) return result; // glTF's default: white, one side
     const assets::Material& material = model.materials[static_cast<std::size_t>(index)];
     result.name = material.name;
     result.base_color = material.base_color;
