@@ -49,7 +49,7 @@ int Report::finish() const {
         const bool holds = !row.limit || row.value <= *row.limit;
         const std::string verdict = !row.limit ? "" : arguments_.quick ? "not judged" : holds ? "holds" : "falls short";
         passed = passed && holds;
-        table += fmt::format("{:<44} {:>10.4g} {:<10} {:>8}  {}\n", row.name, row.value, row.unit, limit, verdict);
+        table += fmt::format("{:<44} {:>10.6g} {:<10} {:>8}  {}\n", row.name, row.value, row.unit, limit, verdict);
         csv += fmt::format("{},{:.6g},{},{},{}\n", row.name, row.value, row.unit, limit, verdict);
     }
     std::fputs(table.c_str(), stdout);
