@@ -3,6 +3,7 @@
 #include <hachure/runtime/ecs/type_id.h>
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -12,9 +13,10 @@ namespace hachure::detail {
 class Resources {
 public:
     template <class T> T& set(T&& value) {
+        static_assert(!std::is_reference_v<T>, "T is named by the caller, so this is an rvalue");
         const TypeId id = resource_id<T>();
         if (id >= slots_.size()) slots_.resize(id + 1);
-        auto owned = std::make_unique<Holder<T>>(std::move(value));
+        auto owned = std::make_unique<Holder<T>>(std::forward<T>(value));
         T& result = owned->value;
         slots_[id] = std::move(owned);
         return result;

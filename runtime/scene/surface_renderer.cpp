@@ -110,7 +110,7 @@ void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& 
         if (item.shading == shading.name) draw_item(world, render, item, targets, shading);
 }
 
-void add_surface_pass(World& world, SurfaceShading shading, std::uint64_t key) {
+void add_surface_pass(World& world, const SurfaceShading& shading, std::uint64_t key) {
     const DrawList& list = world.resource<DrawList>();
     if (!list.shaded_by(shading.name)) return;
     RenderContext& render = world.resource_mutable<RenderContext>();
