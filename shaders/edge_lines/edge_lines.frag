@@ -14,19 +14,22 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 
 layout(location = 0) out vec4 out_line;
 
-// Whether a point at window depth `depth` is in front of something around pixel `at`. The farthest of nine samples
-// decides: on a silhouette one side lies behind; on a concave crease both sides come nearer, by `tolerance` at most.
+// Whether a point at window depth `depth` is in front of enough of what is around pixel `at`. On a silhouette one side
+// lies behind, three of nine samples at least; on a concave crease both sides come nearer, by `tolerance` at most. One or
+// two samples are too few: an edge hidden just inside an outline would show through where a corner of its neighbourhood
+// reaches past the outline.
 bool visible(vec2 at, float depth) {
     ivec2 last = ivec2(viewport) - 1;
     ivec2 center = clamp(ivec2(at), ivec2(0), last);
-    float farthest = 1.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-            farthest = min(farthest, texelFetch(depth_buffer, clamp(center + ivec2(x, y), ivec2(0), last), 0).r);
-    if (farthest <= 0.0) return true; // the background
     float line = view_depth(depth);
-    float pixel = pixel_size * (eye.w > 0.0 ? line : 1.0);
-    return line <= view_depth(farthest) + tolerance * pixel + 1e-5 * line;
+    float nearest = line - tolerance * pixel_size * (eye.w > 0.0 ? line : 1.0) - 1e-5 * line;
+    int behind = 0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            float scene = texelFetch(depth_buffer, clamp(center + ivec2(x, y), ivec2(0), last), 0).r;
+            behind += int(scene <= 0.0 || view_depth(scene) >= nearest);
+        }
+    return behind >= 3;
 }
 
 void main() {

@@ -20,7 +20,7 @@ namespace hachure {
                                                      std::span<const geometry::Edge> edges,
                                                      std::span<const glm::vec4> planes, float crease_angle);
 inline constexpr std::size_t min_crease_edges = 6;
-inline constexpr float min_crease_length = 0.04f;
+inline constexpr float min_crease_length = 0.06f;
 
 /// Chooses the edges of a mesh that are drawn from an eye. One sweep over faces, one over edges, no allocation.
 struct SelectEdgesJob {
