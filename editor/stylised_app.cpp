@@ -11,6 +11,9 @@
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/transform/transform.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace hachure {
 
 void register_capabilities(App& app) {
@@ -24,6 +27,18 @@ void register_capabilities(App& app) {
     register_compose(app);
 }
 
+namespace {
+
+/// Beyond this, squares of lengths no longer fit a float.
+constexpr float largest_coordinate = 1e15f; // metres
+
+bool fits(const glm::vec3& point) {
+    return std::abs(point.x) <= largest_coordinate && std::abs(point.y) <= largest_coordinate &&
+           std::abs(point.z) <= largest_coordinate;
+}
+
+} // namespace
+
 void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas) {
     World& world = app.world();
     world.set_resource(canvas);
@@ -31,6 +46,8 @@ void load_model(App& app, const assets::Model& model, const std::filesystem::pat
     for (const std::string& warning : model.warnings) log_warning(file.string() + ": " + warning);
     for (const std::string& warning : spawned.warnings) log_warning(file.string() + ": " + warning);
     if (spawned.points.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
+    if (!std::ranges::all_of(spawned.points, fits))
+        throw Error(file.string(), "is too large to be drawn: a vertex lies more than 1e15 m from the origin");
     if (spawned.cameras.empty()) spawn_framing_camera(world, spawned.points, canvas);
     if (spawned.lights.empty()) spawn_default_light(world);
 }

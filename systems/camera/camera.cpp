@@ -121,7 +121,7 @@ Entity spawn_framing_camera(World& world, std::span<const glm::vec3> points, Can
     const float slope_y = std::tan(0.5f * camera.yfov) / framing_margin;
     const float slope_x = slope_y * static_cast<float>(canvas.width) / static_cast<float>(canvas.height);
     const FramingFit fit = fit_points(points, glm::conjugate(turn), slope_x, slope_y);
-    camera.znear = std::max(1e-9f, 0.5f * fit.nearest_depth);
+    camera.znear = std::max(1e-20f, 0.5f * fit.nearest_depth);
     Transform transform;
     transform.rotation = turn;
     transform.translation = turn * fit.eye;

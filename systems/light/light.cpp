@@ -36,12 +36,26 @@ ShadingLight shading_light(const Light& light, const glm::mat4& place) {
 
 float strength(const ShadingLight& light) { return std::max({light.color.r, light.color.g, light.color.b}); }
 
+/// Up and to the right of the camera, perpendicular to the gaze.
+struct DefaultLight {
+    Light light{.rig = LightRig::camera};
+    /// Turns +Z, where a light comes from, to (1, 1, 0) / sqrt 2: a quarter turn about (-1, 1, 0) / sqrt 2.
+    glm::quat rotation = glm::angleAxis(1.57079632679f, glm::normalize(glm::vec3(-1.0f, 1.0f, 0.0f)));
+
+    [[nodiscard]] glm::mat4 pose() const { return glm::mat4_cast(rotation); }
+};
+
 void gather_lights(World& world) {
     const View& view = world.resource<View>();
     std::vector<std::pair<Entity, ShadingLight>> found;
     for (auto [entity, light, transform] : world.query<const Light, const WorldTransform>()) {
         const glm::mat4 place = world_from_light(light, transform.matrix, view);
         if (glm::length(glm::vec3(place[2])) > 0.0f) found.emplace_back(entity, shading_light(light, place));
+    }
+    if (found.empty()) {
+        const DefaultLight standard;
+        found.emplace_back(Entity::null,
+                           shading_light(standard.light, world_from_light(standard.light, standard.pose(), view)));
     }
     std::ranges::sort(found, [](const auto& a, const auto& b) {
         const float sa = strength(a.second), sb = strength(b.second);
@@ -62,15 +76,10 @@ void gather_lights(World& world) {
 } // namespace
 
 Entity spawn_default_light(World& world) {
-    Light light;
-    light.rig = LightRig::camera;
-    Transform transform;
-    // +Z, which is where the light comes from, turned to (1, 1, 0) / sqrt 2 in the camera's axes.
-    const glm::vec3 from = glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f));
-    transform.rotation = glm::angleAxis(1.57079632679f, glm::normalize(glm::cross(glm::vec3(0.0f, 0.0f, 1.0f), from)));
+    const DefaultLight standard;
     const Entity entity = world.create();
-    world.add(entity, transform);
-    world.add(entity, light);
+    world.add(entity, Transform{.rotation = standard.rotation});
+    world.add(entity, standard.light);
     world.add(entity, Name{"light"});
     return entity;
 }
