@@ -32,7 +32,9 @@ std::vector<Entity> World::descendants(Entity entity) const {
 void World::set_parent(Entity child, Entity parent) {
     require_alive(child);
     require_alive(parent);
-    for (Entity ancestor = parent; ancestor; ancestor = this->parent(ancestor))
+    // A leaf is above nobody, so that a chain grown at its end takes linear time.
+    const bool leaf = children(child).empty() && child != parent;
+    for (Entity ancestor = leaf ? Entity::null : parent; ancestor; ancestor = this->parent(ancestor))
         if (ancestor == child) throw HierarchyCycle(child, parent);
     if (this->parent(child) == parent) return;
 

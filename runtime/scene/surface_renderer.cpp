@@ -114,12 +114,16 @@ void add_surface_pass(World& world, const SurfaceShading& shading, std::uint64_t
     const DrawList& list = world.resource<DrawList>();
     if (!list.shaded_by(shading.name)) return;
     RenderContext& render = world.resource_mutable<RenderContext>();
+    // Who shades an item can change while the list, lights and shading stay as they are.
+    gpu::KeyHash claimed;
+    for (const DrawItem& item : list.items)
+        if (item.shading == shading.name) claimed.add(item.object_id);
     const std::uint64_t light_key = world.resource<LightList>().key();
     render.graph.add_pass<SurfaceTargets>(
         shading.name,
         [&](gpu::PassBuilder& pass, SurfaceTargets& targets) {
             targets = SurfaceTargets::write(render.graph, pass);
-            pass.depends_on(list.key, light_key, key, render.shaders->generation());
+            pass.depends_on(list.key, claimed.value(), light_key, key, render.shaders->generation());
         },
         [&world, &render, shading](const SurfaceTargets& targets, gpu::PassContext& pass) {
             draw_surfaces(world, render, pass, targets, shading);

@@ -13,13 +13,17 @@
 namespace hachure {
 namespace {
 
-/// Reversed depth (1 near, 0 far); a far plane of 0 is at infinity.
+/// What an orthographic view without a far plane sees, in half heights of the view. Its depth is linear: in a 32-bit
+/// float, this still tells a 16000th of the half height apart, which is finer than a pixel.
+constexpr float unlimited_orthographic_depth = 1e3f;
+
+/// Reversed depth (1 near, 0 far); a far plane of 0 is at infinity, or far away (orthographic).
 glm::mat4 projection_matrix(const Camera& camera, float aspect) {
     const float n = camera.znear;
     const float f = camera.zfar > n ? camera.zfar : 0.0f;
     glm::mat4 p(0.0f);
     if (camera.projection == Projection::orthographic) {
-        const float far_plane = f > 0.0f ? f : n + 1e6f * camera.ymag;
+        const float far_plane = f > 0.0f ? f : n + unlimited_orthographic_depth * camera.ymag;
         p[0][0] = 1.0f / (camera.ymag * aspect);
         p[1][1] = 1.0f / camera.ymag;
         p[2][2] = 1.0f / (far_plane - n);

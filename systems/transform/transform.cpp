@@ -35,8 +35,9 @@ public:
         collect<Transform>(world, moved);
         collect<LocalMatrix>(world, moved);
         collect<Parent>(world, moved);
-        for (const Entity entity : world.removed_since<Parent>(seen_))
-            if (world.alive(entity)) moved.push_back(entity);
+        collect_removed<Parent>(world, moved);
+        collect_removed<LocalMatrix>(world, moved);
+        collect_removed<Transform>(world, moved);
         const std::unordered_set<Entity> all(moved.begin(), moved.end());
         for (const Entity entity : all)
             if (!below_another(world, entity, all)) update(world, entity);
@@ -46,6 +47,13 @@ public:
 private:
     template <class C> void collect(World& world, std::vector<Entity>& moved) const {
         for (auto [entity, value] : world.query<const C>().template changed_since<C>(seen_)) moved.push_back(entity);
+    }
+
+    /// Who lost a C stands elsewhere, too.
+    template <class C>
+    void collect_removed(const World& world, std::vector<Entity>& moved) const {
+        for (const Entity entity : world.removed_since<C>(seen_))
+            if (world.alive(entity)) moved.push_back(entity);
     }
 
     /// Whether an ancestor moved as well, so that updating that one's branch does it.

@@ -1,0 +1,97 @@
+#include <hachure/components/compose.h>
+#include <hachure/components/edge_lines.h>
+#include <hachure/components/gooch.h>
+#include <hachure/runtime/error.h>
+#include <hachure/systems/styles/style.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "../../support/drawn_scene.h"
+
+namespace hachure {
+namespace {
+
+using ::testing::HasSubstr;
+
+class StyleTest : public ::testing::Test {
+protected:
+    StyleTest() { test::register_drawing(app); }
+
+    std::string fault_of(std::string_view json) {
+        try {
+            static_cast<void>(parse_style(app.types(), "mine.json", json));
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    App app;
+};
+
+TEST_F(StyleTest, GoesToSurfacesAndCameras) {
+    World& world = app.world();
+    const Entity surface = world.create_with(Surface{}, Transform{}), camera = world.create_with(Camera{}, Transform{});
+    const Style style = parse_style(app.types(), "mine.json", R"({"hachure_style": 1, "name": "mine", "doc": "a test",
+        "surface": {"gooch": {"b": 0.55, "printed_equation": true}, "edge_lines": {"color": [0.5, 0, 1]}},
+        "camera": {"compose": {"background": [0, 0.25, 1]}}})");
+    EXPECT_EQ(style.name, "mine");
+    EXPECT_EQ(style.doc, "a test");
+    apply_style(world, app.types(), style);
+    EXPECT_EQ(world.get<Gooch>(surface), (Gooch{.b = 0.55f, .printed_equation = true}));
+    EXPECT_EQ(world.get<EdgeLines>(surface).color, glm::vec3(0.5f, 0, 1));
+    EXPECT_EQ(world.get<Compose>(camera).background, glm::vec3(0, 0.25f, 1));
+    EXPECT_FALSE(world.has<Gooch>(camera));
+    EXPECT_FALSE(world.has<Compose>(surface));
+}
+
+TEST_F(StyleTest, EveryBuiltInStyleIsFoundByItsNameAndDescribed) {
+    ASSERT_FALSE(built_in_styles().empty());
+    for (const BuiltInStyle& entry : built_in_styles()) {
+        const Style style = find_style(app.types(), entry.name);
+        EXPECT_EQ(style.name, entry.name);
+        EXPECT_FALSE(style.doc.empty());
+        EXPECT_FALSE(style.surface.empty());
+    }
+}
+
+TEST_F(StyleTest, ErrorsNameTheFileAndThePlaceInIt) {
+    const std::vector<std::pair<const char*, const char*>> cases = {
+        {R"({"hachure_style": 1, "surface": {"goch": {}}})", "/surface/goch"},
+        {R"({"hachure_style": 1, "surface": {"gooch": {"c": 1}}})", "/surface/gooch/c"},
+        {R"({"hachure_style": 1, "surface": {"gooch": {"b": 1.5}}})", "/surface/gooch/b"},
+        {R"({"hachure_style": 1, "surface": {"gooch": {"b": [1, 2, 3, 4, 5]}}})", "/surface/gooch/b"},
+        {R"({"hachure_style": 1, "surface": {"gooch": {"b": {}}}})", "/surface/gooch/b"},
+        {R"({"hachure_style": 1, "surface": {"gooch": {"b": null}}})", "/surface/gooch/b"},
+        {R"({"hachure_style": 1, "surface": {"gooch": {"printed_equation": 3}}})", "/surface/gooch/printed_equation"},
+        {R"({"hachure_style": 1, "surface": {"edge_lines": {"color": [1, "a", 0]}}})", "/surface/edge_lines/color"},
+        {R"({"hachure_style": 1, "surface": {"edge_lines": {"color": [1, 0]}}})", "/surface/edge_lines/color"},
+        {R"({"hachure_style": 1, "surface": {"gooch": 4}})", "/surface/gooch"},
+        {R"({"hachure_style": 1, "camera": []})", "/camera"},
+        {R"({"hachure_style": 1, "cameras": {}})", "/cameras"},
+        {R"({"hachure_style": 2})", "/hachure_style"},
+        {R"({"name": "mine"})", "hachure_style"},
+        {R"([1])", "hachure_style"},
+        {R"({"hachure_style": 1,)", "byte"},
+        {"", "byte"}};
+    for (const auto& [json, place] : cases) {
+        const std::string fault = fault_of(json);
+        EXPECT_THAT(fault, ::testing::StartsWith("mine.json: ")) << json;
+        EXPECT_THAT(fault, HasSubstr(place)) << json;
+        EXPECT_EQ(fault.find('\n'), std::string::npos) << json;
+    }
+}
+
+TEST_F(StyleTest, AnUnknownStyleIsRefusedWithTheNamesThereAre) {
+    try {
+        static_cast<void>(find_style(app.types(), "watercolour"));
+        FAIL() << "found";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("gooch"));
+    }
+    EXPECT_THROW(static_cast<void>(find_style(app.types(), "no/such/file.json")), Error);
+}
+
+} // namespace
+} // namespace hachure
