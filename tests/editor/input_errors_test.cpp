@@ -39,10 +39,10 @@ TEST(InputErrors, UnreadableFile) {
 
 TEST(InputErrors, EmptyFile) {
     const TempFolder folder;
-    for (const char* name : {"e.obj", "e.ply", "e.off", "e.stl", "e.glb", "e.gltf"}) {
+    for (const std::string name : {"e.obj", "e.ply", "e.off", "e.stl", "e.glb", "e.gltf"}) {
         folder.write(name, "");
         const auto before = folder.listing();
-        EXPECT_TRUE(failed(hachure_program(folder, {"render", name, "-o", "out.png"}), 1, std::string(name) + ": ")) << name;
+        EXPECT_TRUE(failed(hachure_program(folder, {"render", name, "-o", "out.png"}), 1, name + ": "));
         EXPECT_EQ(folder.listing(), before);
     }
 }
@@ -51,9 +51,9 @@ TEST(InputErrors, MeshWithoutTriangles) {
     const TempFolder folder;
     folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
     folder.write("none.glb", edited_triangle_glb("\"mesh\": 0", "\"name\": \"n\""));
-    for (const char* name : {"points.obj", "none.glb"}) {
+    for (const std::string name : {"points.obj", "none.glb"}) {
         const auto before = folder.listing();
-        EXPECT_TRUE(failed(hachure_program(folder, {"render", name, "-o", "out.png"}), 1, std::string(name) + ": ")) << name;
+        EXPECT_TRUE(failed(hachure_program(folder, {"render", name, "-o", "out.png"}), 1, name + ": "));
         EXPECT_EQ(folder.listing(), before);
     }
 }

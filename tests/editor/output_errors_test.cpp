@@ -10,9 +10,10 @@ class OutputErrors : public testing::Test {
 protected:
     void SetUp() override { folder.write("in.obj", tetrahedron_obj); }
 
-    ProcessResult render(std::vector<std::string> more) {
-        more.insert(more.begin(), {"render", "in.obj", "--size", "32x24"});
-        return hachure_program(folder, std::move(more));
+    ProcessResult render(const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"render", "in.obj", "--size", "32x24"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return hachure_program(folder, arguments);
     }
 
     void expect_refused(const std::vector<std::string>& more, const std::string& file) {

@@ -13,8 +13,9 @@ namespace hachure::test {
 
 /// Runs the built program as a user would, in `folder`.
 inline ProcessResult hachure_program(const TempFolder& folder, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), HACHURE_PROGRAM);
-    return run_process(arguments, folder.path());
+    std::vector<std::string> command{HACHURE_PROGRAM};
+    for (std::string& argument : arguments) command.push_back(std::move(argument));
+    return run_process(command, folder.path());
 }
 
 /// A closed tetrahedron about the origin.

@@ -23,9 +23,10 @@ protected:
         folder.write("in.obj", tetrahedron_obj);
     }
 
-    ProcessResult render(const std::string& input, std::vector<std::string> more) {
-        more.insert(more.begin(), {"render", input, "--size", "64x32"});
-        return hachure_program(folder, std::move(more));
+    ProcessResult render(const std::string& input, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"render", input, "--size", "64x32"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return hachure_program(folder, arguments);
     }
 
     /// The picture of the squares with these assignments.

@@ -19,11 +19,12 @@ std::set<std::string> keys(const json& object) {
 
 class Stats : public testing::Test {
 protected:
-    json render(std::vector<std::string> more) {
+    json render(const std::vector<std::string>& more) {
         const TempFolder folder;
         folder.write("in.glb", two_squares_glb());
-        more.insert(more.begin(), {"render", "in.glb", "-o", "out.png", "--size", "64x32", "--stats", "s.json"});
-        EXPECT_TRUE(succeeded(hachure_program(folder, std::move(more))));
+        std::vector<std::string> arguments{"render", "in.glb", "-o", "out.png", "--size", "64x32", "--stats", "s.json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_TRUE(succeeded(hachure_program(folder, arguments)));
         return json::parse(file_text(folder / "s.json"), nullptr, false);
     }
 };
@@ -46,7 +47,9 @@ TEST_F(Stats, FollowsItsFormat) {
         EXPECT_TRUE(state == "run" || state == "reused" || state == "culled") << state;
         EXPECT_GE(pass["cpu_ms"].get<double>(), 0.0);
         EXPECT_TRUE(pass["gpu_ms"].is_number() || pass["gpu_ms"].is_null());
-        if (state == "run") EXPECT_GT(pass["pixels"].get<double>(), 0.0) << pass["name"];
+        if (state == "run") {
+            EXPECT_GT(pass["pixels"].get<double>(), 0.0) << pass["name"];
+        }
     }
     for (const auto& [name, count] : frame["counts"].items()) EXPECT_TRUE(count.is_number_unsigned()) << name;
     for (const auto& [name, bytes] : stats["memory"].items()) EXPECT_TRUE(bytes.is_number_unsigned()) << name;

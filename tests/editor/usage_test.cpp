@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         render("SetNotANumber", {"--set", "gooch.b=nan"}, "gooch.b"),
         render("SetTooFewNumbers", {"--set", "compose.background=1 1"}, "compose.background"),
         render("SetUnknownChoice", {"--set", "light.kind=sun"}, "sun")),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& wrong) { return std::string(wrong.param.name); });
 
 } // namespace
 } // namespace hachure::test
