@@ -8,7 +8,6 @@ find_package(meshoptimizer REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
 find_package(OpenImageIO REQUIRED)
-find_package(OpenMesh REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(OSMesa REQUIRED)
 find_package(ZLIB REQUIRED)
@@ -18,6 +17,6 @@ function(hachure_link_dependencies target)
   # Headers of the house name GLM and fmt types; the rest stays behind the .cpp files.
   target_link_libraries(${target}
     PUBLIC glm::glm fmt::fmt Threads::Threads
-    PRIVATE glfw OpenGL::EGL OSMesa::OSMesa OpenImageIO::OpenImageIO OpenMeshCore TinyGLTF::TinyGLTF
+    PRIVATE glfw OpenGL::EGL OSMesa::OSMesa OpenImageIO::OpenImageIO TinyGLTF::TinyGLTF
       meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json ZLIB::ZLIB ${CMAKE_DL_LIBS})
 endfunction()

@@ -11,7 +11,7 @@ struct EdgeLines {
     bool silhouette = true;
     bool crease = true;
     bool border = true;
-    float crease_angle = 0.9f;
+    float crease_angle = 1.1f;
     float width = 2.0f;
     glm::vec3 color{0.0f};
 

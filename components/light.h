@@ -14,8 +14,8 @@ enum class LightRig {
     camera, ///< it moves with the camera: the entity's rotation is relative to the camera's axes
 };
 
-/// A light of the scene. With rig `camera` and the default rotation of `spawn_default_light` it comes from up and to the
-/// right, perpendicular to the gaze, so that l.n spans [-1, 1] over what is seen (Gooch 1998, section 4.2).
+/// A light of the scene. With rig `camera` and the default rotation of `spawn_default_light` it comes from up and to
+/// the right, perpendicular to the gaze, so that l.n spans [-1, 1] over what is seen (Gooch 1998, section 4.2).
 struct Light {
     LightKind kind = LightKind::directional;
     LightRig rig = LightRig::world;

@@ -2,8 +2,9 @@
 
 #include <hachure/runtime/ecs/reflect.h>
 
-#include <cstdint>
 #include <glm/vec3.hpp>
+
+#include <cstdint>
 
 namespace hachure {
 

@@ -1,6 +1,5 @@
-#include <hachure/editor/assignments.h>
-
 #include <hachure/components/name.h>
+#include <hachure/editor/assignments.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/error.h>
 
@@ -19,7 +18,8 @@ Assignment parse_assignment(const TypeRegistry& types, const std::string& text) 
     const std::size_t dot = path.find('.');
     if (dot == std::string::npos) throw UsageError("--set: '" + path + "' is not component.field");
     result.type = types.find(path.substr(0, dot));
-    if (!result.type) throw UsageError("--set: there is no component '" + path.substr(0, dot) + "' (see hachure list components)");
+    if (!result.type)
+        throw UsageError("--set: there is no component '" + path.substr(0, dot) + "' (see hachure list components)");
     result.field = result.type->field(path.substr(dot + 1));
     if (!result.field)
         throw UsageError("--set: component '" + result.type->name + "' has no field '" + path.substr(dot + 1) + "'");
@@ -53,7 +53,8 @@ void apply_assignments(World& world, std::span<const Assignment> assignments) {
             found = true;
         }
         if (found) continue;
-        const std::string who = assignment.entity.empty() ? "no entity" : "no entity called '" + assignment.entity + "'";
+        const std::string who =
+            assignment.entity.empty() ? "no entity" : "no entity called '" + assignment.entity + "'";
         throw Error("--set " + assignment.field->path, who + " carries '" + assignment.type->name + "'");
     }
 }

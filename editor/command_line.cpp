@@ -1,5 +1,4 @@
 #include <hachure/editor/command_line.h>
-
 #include <hachure/editor/info_command.h>
 #include <hachure/editor/list_command.h>
 #include <hachure/editor/render_command.h>
@@ -7,6 +6,7 @@
 #include <hachure/runtime/error.h>
 
 #include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <exception>
 #include <string>

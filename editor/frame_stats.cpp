@@ -1,10 +1,10 @@
 #include <hachure/editor/frame_stats.h>
-
 #include <hachure/runtime/assets/atomic_file.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/mesh_store.h>
 
 #include <nlohmann/json.hpp>
+
 #include <string_view>
 
 namespace hachure {
@@ -13,12 +13,9 @@ namespace {
 using nlohmann::json;
 
 json pass_json(const gpu::PassStats& pass) {
-    json result{{"name", pass.name},
-                {"state", std::string(gpu::to_string(pass.state))},
-                {"cpu_ms", pass.cpu_ms},
-                {"gpu_ms", nullptr},
-                {"pixels", pass.pixels},
-                {"bytes", pass.bytes}};
+    json result{{"name", pass.name},     {"state", std::string(gpu::to_string(pass.state))},
+                {"cpu_ms", pass.cpu_ms}, {"gpu_ms", nullptr},
+                {"pixels", pass.pixels}, {"bytes", pass.bytes}};
     if (pass.gpu_ms) result["gpu_ms"] = *pass.gpu_ms;
     return result;
 }

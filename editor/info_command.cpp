@@ -1,5 +1,4 @@
 #include <hachure/editor/info_command.h>
-
 #include <hachure/editor/model_report.h>
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/assets/read_model.h>
@@ -22,7 +21,8 @@ void print_image(const std::filesystem::path& file) {
     print_row("file", file.string());
     print_row("kind", "image");
     print_row("size", fmt::format("{}x{}", image.width, image.height));
-    print_row("channels", fmt::format("{} x {}", image.channels, image.type == assets::PixelType::u8 ? "8 bit" : "float"));
+    print_row("channels",
+              fmt::format("{} x {}", image.channels, image.type == assets::PixelType::u8 ? "8 bit" : "float"));
 }
 
 void print_video(const std::filesystem::path& file) {
@@ -39,13 +39,18 @@ void print_video(const std::filesystem::path& file) {
 
 void add_info_command(CLI::App& app, InfoOptions& options) {
     CLI::App* command = app.add_subcommand("info", "Tell what is in a file, and what is wrong with it");
-    command->add_option("INPUT", options.input, "a model (glTF, GLB, OBJ, PLY, OFF, STL), an image or a video")->required();
+    command->add_option("INPUT", options.input, "a model (glTF, GLB, OBJ, PLY, OFF, STL), an image or a video")
+        ->required();
 }
 
 int run_info(const InfoOptions& options) {
     switch (assets::input_kind(options.input)) {
-    case assets::InputKind::image: print_image(options.input); break;
-    case assets::InputKind::video: print_video(options.input); break;
+    case assets::InputKind::image:
+        print_image(options.input);
+        break;
+    case assets::InputKind::video:
+        print_video(options.input);
+        break;
     case assets::InputKind::model:
     case assets::InputKind::unknown:
         for (const ReportRow& row : report_model(options.input.string(), assets::read_model(options.input)))

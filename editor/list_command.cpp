@@ -1,5 +1,4 @@
 #include <hachure/editor/list_command.h>
-
 #include <hachure/editor/stylised_app.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/scene/frame_requests.h>

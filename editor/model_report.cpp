@@ -1,11 +1,11 @@
 #include <hachure/editor/model_report.h>
-
 #include <hachure/runtime/geometry/bounds.h>
 #include <hachure/runtime/geometry/mesh_health.h>
 #include <hachure/systems/model/rest_pose.h>
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace hachure {
 namespace {
@@ -60,8 +60,8 @@ geometry::Bounds rest_bounds(const Model& model) {
         const assets::Node& node = model.nodes[i];
         if (node.mesh < 0) continue;
         for (const assets::Primitive& primitive : rest_pose(model, node, matrices))
-            bounds.include(transformed(geometry::bounds_of(primitive.positions),
-                                       node.skin >= 0 ? glm::mat4(1.0f) : matrices[i]));
+            bounds.include(
+                transformed(geometry::bounds_of(primitive.positions), node.skin >= 0 ? glm::mat4(1.0f) : matrices[i]));
     }
     return bounds;
 }
@@ -87,7 +87,8 @@ std::string clip_text(const Model& model) {
     std::vector<std::string> names;
     float seconds = 0.0f;
     for (const assets::Animation& animation : model.animations) {
-        names.push_back(fmt::format("{} ({:.3g} s)", animation.name.empty() ? "unnamed" : animation.name, animation.duration));
+        names.push_back(
+            fmt::format("{} ({:.3g} s)", animation.name.empty() ? "unnamed" : animation.name, animation.duration));
         seconds += animation.duration;
     }
     return fmt::format("{} ({:.4g} s): {}", model.animations.size(), seconds, joined(names));
@@ -143,7 +144,8 @@ std::vector<ReportRow> report_model(std::string_view file, const Model& model) {
         {"extensions", joined(model.extensions)},
         {"bounds", bounds.empty() ? "empty" : vector_text(bounds.low) + " to " + vector_text(bounds.high)},
         {"components", fmt::format("{}", health.components)},
-        {"normals", computed == 0 ? "from the file" : fmt::format("computed for {} of {} primitives", computed, primitives)},
+        {"normals",
+         computed == 0 ? "from the file" : fmt::format("computed for {} of {} primitives", computed, primitives)},
         {"health", health_text(health)},
     };
     for (const std::string& warning : model.warnings) rows.push_back({"warning", warning});

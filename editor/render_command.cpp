@@ -1,7 +1,6 @@
-#include <hachure/editor/render_command.h>
-
 #include <hachure/editor/assignments.h>
 #include <hachure/editor/frame_stats.h>
+#include <hachure/editor/render_command.h>
 #include <hachure/editor/stylised_app.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/app/progress.h>
@@ -14,9 +13,10 @@
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/styles/style.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <charconv>
-#include <CLI/CLI.hpp>
 #include <optional>
 
 namespace hachure {
@@ -81,7 +81,8 @@ void check_outputs(const RenderOptions& options, const std::vector<AovOutput>& a
         throw UsageError("-o: '" + options.output.string() + "' is neither a .png nor an .exr file");
     const auto check_folder = [](const std::filesystem::path& file) {
         const std::filesystem::path folder = file.parent_path().empty() ? "." : file.parent_path();
-        if (!std::filesystem::is_directory(folder)) throw Error(file.string(), "can't be written: there is no such folder");
+        if (!std::filesystem::is_directory(folder))
+            throw Error(file.string(), "can't be written: there is no such folder");
     };
     check_folder(options.output);
     for (const AovOutput& aov : aovs) check_folder(aov.file);
@@ -120,7 +121,8 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
     command->add_option("--size", options.size, "WIDTHxHEIGHT of the picture, pixels")->capture_default_str();
     command->add_option("--backend", options.backend, "where the OpenGL context comes from: auto, egl, osmesa, glfw")
         ->capture_default_str();
-    command->add_option("--aov", options.aovs, "NAME=FILE.exr: also write a buffer of the frame (see `hachure list aovs`)")
+    command
+        ->add_option("--aov", options.aovs, "NAME=FILE.exr: also write a buffer of the frame (see `hachure list aovs`)")
         ->allow_extra_args(false);
     command
         ->add_option("--set", options.sets,
@@ -143,7 +145,8 @@ int run_render(const RenderOptions& options) {
     check_outputs(options, aovs);
     if (const assets::InputKind kind = assets::input_kind(options.input);
         kind == assets::InputKind::image || kind == assets::InputKind::video)
-        throw Error(options.input.string(), "style '" + options.style + "' draws models; an image or a video has no surfaces");
+        throw Error(options.input.string(),
+                    "style '" + options.style + "' draws models; an image or a video has no surfaces");
 
     Progress progress("reading " + options.input.filename().string());
     const assets::Model model = assets::read_model(options.input);

@@ -1,6 +1,5 @@
-#include <hachure/editor/stylised_app.h>
-
 #include <hachure/components/name.h>
+#include <hachure/editor/stylised_app.h>
 #include <hachure/runtime/app/log.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/camera/camera.h>

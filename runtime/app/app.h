@@ -20,10 +20,7 @@ public:
     [[nodiscard]] const TypeRegistry& types() const { return types_; }
 
     /// Makes component C known by its name.
-    template <class C>
-    void add_component() {
-        types_.add<C>();
-    }
+    template <class C> void add_component() { types_.add<C>(); }
 
     /// Runs `system` in `stage` each frame, after those of the stage that were added before it.
     void add_system(Stage stage, std::string name, std::function<void(World&)> system) {

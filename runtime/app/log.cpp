@@ -1,5 +1,4 @@
 #include <hachure/runtime/app/log.h>
-
 #include <hachure/runtime/error.h>
 
 #include <cstdio>

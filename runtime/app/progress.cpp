@@ -1,7 +1,8 @@
 #include <hachure/runtime/app/progress.h>
 
-#include <cstdio>
 #include <unistd.h>
+
+#include <cstdio>
 
 namespace hachure {
 namespace {

@@ -6,8 +6,8 @@
 
 namespace hachure {
 
-/// What a long command is doing, on one line of a terminal that is rewritten in place and cleared at the end. Nothing is
-/// shown when stderr is no terminal, nor before half a second has passed.
+/// What a long command is doing, on one line of a terminal that is rewritten in place and cleared at the end. Nothing
+/// is shown when stderr is no terminal, nor before half a second has passed.
 class Progress {
 public:
     explicit Progress(std::string_view stage);

@@ -1,5 +1,4 @@
 #include <hachure/runtime/assets/complete.h>
-
 #include <hachure/runtime/geometry/normals.h>
 
 #include <utility>
@@ -7,8 +6,7 @@
 namespace hachure::assets {
 namespace {
 
-template <class T>
-void take_from(std::vector<T>& values, const std::vector<std::uint32_t>& source) {
+template <class T> void take_from(std::vector<T>& values, const std::vector<std::uint32_t>& source) {
     if (values.empty()) return;
     std::vector<T> taken(source.size());
     for (std::size_t i = 0; i < source.size(); ++i) taken[i] = values[source[i]];
@@ -16,8 +14,8 @@ void take_from(std::vector<T>& values, const std::vector<std::uint32_t>& source)
 }
 
 void complete_normals(Primitive& primitive) {
-    geometry::ComputedNormals computed =
-        geometry::vertex_normals(primitive.positions, primitive.indices, {.crease_angle = computed_normals_crease_angle});
+    geometry::ComputedNormals computed = geometry::vertex_normals(primitive.positions, primitive.indices,
+                                                                  {.crease_angle = computed_normals_crease_angle});
     const std::vector<std::uint32_t>& source = computed.source;
     take_from(primitive.positions, source);
     take_from(primitive.tangents, source);

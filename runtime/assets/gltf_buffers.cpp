@@ -53,11 +53,12 @@ std::span<const std::byte> GltfBuffers::resource(const std::string& uri, const s
         if (!bytes) document_.fail("has a data URI that is not base64", where);
         return decoded_uris_.emplace_back(std::move(*bytes));
     }
-    if (const auto known = files_.find(uri); known != files_.end()) return known->second;
-    auto bytes = read_file_bytes(resolve_beside(document_.path, uri, where), max_file_bytes - file_bytes_);
+    const std::filesystem::path path = resolve_beside(document_.path, uri, where).lexically_normal();
+    if (const auto known = files_.find(path); known != files_.end()) return known->second;
+    auto bytes = read_file_bytes(path, max_file_bytes - file_bytes_);
     file_bytes_ += bytes.size();
     budget_.add_input(bytes.size());
-    return files_.emplace(uri, std::move(bytes)).first->second;
+    return files_.emplace(path, std::move(bytes)).first->second;
 }
 
 std::span<const std::byte> GltfBuffers::buffer(std::size_t index) {

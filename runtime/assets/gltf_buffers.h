@@ -34,10 +34,10 @@ private:
 
     const GltfDocument& document_;
     ByteBudget& budget_;
-    std::vector<std::optional<std::span<const std::byte>>> buffers_;   // loaded so far
-    std::map<std::string, std::vector<std::byte>, std::less<>> files_; // by uri; data uris are not kept here
-    std::map<int, std::vector<std::byte>> decompressed_;               // by buffer view
-    std::vector<std::vector<std::byte>> decoded_uris_;
+    std::vector<std::optional<std::span<const std::byte>>> buffers_; // loaded so far
+    std::map<std::filesystem::path, std::vector<std::byte>> files_;  // read so far
+    std::map<int, std::vector<std::byte>> decompressed_;             // by buffer view
+    std::vector<std::vector<std::byte>> decoded_uris_;               // the targets of spans that were given out
     std::uint64_t file_bytes_ = 0;
 };
 

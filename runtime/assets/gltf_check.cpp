@@ -184,13 +184,17 @@ GltfCounts count_arrays(const JsonPlace& root) {
     counts.scenes = root.array_size("scenes");
     counts.skins = root.array_size("skins");
     counts.textures = root.array_size("textures");
-    root.extension("KHR_lights_punctual",
-                   [&](const JsonPlace& lights) { counts.lights = lights.array_size("lights"); });
-
     // These weigh a kilobyte or more each once they are parsed, and come by the dozen.
-    constexpr std::size_t most = 65'536;
+    const std::size_t most = 65'536;
+    const auto bound = [most](const JsonPlace& place, const char* key) {
+        if (place.array_size(key) > most) place.fail_at(key, fmt::format("has more than {} elements", most));
+    };
     for (const char* key : {"buffers", "cameras", "images", "materials", "samplers", "scenes", "skins", "textures"})
-        if (root.array_size(key) > most) root.fail_at(key, fmt::format("has more than {} elements", most));
+        bound(root, key);
+    root.extension("KHR_lights_punctual", [&](const JsonPlace& lights) {
+        bound(lights, "lights");
+        counts.lights = lights.array_size("lights");
+    });
     return counts;
 }
 

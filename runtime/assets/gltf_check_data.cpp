@@ -33,7 +33,7 @@ void check_range(const JsonPlace& place, const std::vector<std::size_t>& lengths
 void check_buffer_views(const JsonPlace& root, const std::vector<std::size_t>& lengths) {
     root.each("bufferViews", [&](const JsonPlace& view) {
         check_range(view, lengths);
-        view.integer("byteStride", 4, 252);
+        view.integer("byteStride", 0, 252); // some writers say 0 for "packed"
         view.extension("EXT_meshopt_compression", [&](const JsonPlace& compression) {
             check_range(compression, lengths);
             compression.integer("byteStride", 1, 256, Need::required);

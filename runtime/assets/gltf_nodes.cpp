@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hachure::assets {
 namespace {
@@ -35,6 +36,10 @@ void read_transform(const GltfReader& reader, const tinygltf::Node& source, cons
     node.rotation = glm::quat(glm::dquat(r[3] / length, r[0] / length, r[1] / length, r[2] / length));
 }
 
+std::size_t morph_targets(const Mesh& mesh) {
+    return mesh.primitives.empty() ? 0 : mesh.primitives.front().morph_targets.size();
+}
+
 Node read_node(const GltfReader& reader, std::size_t index, const Model& model) {
     const tinygltf::Node& source = reader.document.model->nodes[index];
     Node node;
@@ -47,8 +52,7 @@ Node read_node(const GltfReader& reader, std::size_t index, const Model& model) 
     node.light = light_of(source);
     node.morph_weights = to_floats(source.weights);
     if (node.morph_weights.empty()) return node;
-    const auto& mesh = source.mesh >= 0 ? model.meshes[static_cast<std::size_t>(source.mesh)] : Mesh{};
-    const std::size_t targets = mesh.primitives.empty() ? 0 : mesh.primitives.front().morph_targets.size();
+    const std::size_t targets = node.mesh >= 0 ? morph_targets(model.meshes[static_cast<std::size_t>(node.mesh)]) : 0;
     if (node.morph_weights.size() != targets) {
         reader.warnings.add("morph weights that do not match the morph targets are dropped", node_pointer(index));
         node.morph_weights.clear();
@@ -67,22 +71,26 @@ void link_parents(const GltfReader& reader, std::vector<Node>& nodes) {
     }
 }
 
-// Every node has at most one parent by now, so what the roots do not reach goes in circles.
-void refuse_cycles(const GltfReader& reader, const std::vector<Node>& nodes) {
-    std::vector<bool> reached(nodes.size());
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i].parent < 0) open.push_back(i);
-    while (!open.empty()) {
-        const std::size_t node = open.back();
-        open.pop_back();
-        reached[node] = true;
-        for (const std::int32_t child : nodes[node].children) open.push_back(static_cast<std::size_t>(child));
+// The root above each node. Every node has at most one parent by now, so what no root reaches goes in circles.
+std::vector<std::int32_t> find_roots(const GltfReader& reader, const std::vector<Node>& nodes) {
+    std::vector<std::int32_t> roots(nodes.size(), -1);
+    std::vector<std::int32_t> open;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].parent >= 0) continue;
+        const auto root = static_cast<std::int32_t>(i);
+        open.push_back(root);
+        while (!open.empty()) {
+            const auto node = static_cast<std::size_t>(open.back());
+            open.pop_back();
+            roots[node] = root;
+            open.insert(open.end(), nodes[node].children.begin(), nodes[node].children.end());
+        }
     }
-    const auto lost = std::find(reached.begin(), reached.end(), false);
-    if (lost != reached.end())
+    const auto lost = std::find(roots.begin(), roots.end(), -1);
+    if (lost != roots.end())
         reader.document.fail("has a node among its own descendants",
-                             node_pointer(static_cast<std::size_t>(lost - reached.begin())));
+                             node_pointer(static_cast<std::size_t>(lost - roots.begin())));
+    return roots;
 }
 
 Scene scene_of_all_roots(const std::vector<Node>& nodes) {
@@ -92,21 +100,23 @@ Scene scene_of_all_roots(const std::vector<Node>& nodes) {
     return scene;
 }
 
-Scene read_scene(const GltfReader& reader, std::size_t index, const std::vector<Node>& nodes) {
-    const tinygltf::Scene& source = reader.document.model->scenes[index];
-    Scene scene;
-    scene.name = source.name;
-    std::vector<bool> listed(nodes.size());
-    for (std::int32_t node : source.nodes) {
-        while (nodes[static_cast<std::size_t>(node)].parent >= 0) {
-            reader.warnings.add("a scene lists a node below a root: the whole tree is taken",
-                                fmt::format("/scenes/{}", index));
-            node = nodes[static_cast<std::size_t>(node)].parent;
+std::vector<Scene> read_scenes(const GltfReader& reader, const std::vector<std::int32_t>& root_of) {
+    std::vector<Scene> scenes;
+    std::vector<std::size_t> listed_by(root_of.size(), ~std::size_t{0}); // the last scene that lists each root
+    for (const tinygltf::Scene& source : reader.document.model->scenes) {
+        Scene scene;
+        scene.name = source.name;
+        for (const int node : source.nodes) {
+            const std::int32_t root = root_of[static_cast<std::size_t>(node)];
+            if (root != node)
+                reader.warnings.add("a scene lists a node below a root: the whole tree is taken",
+                                    fmt::format("/scenes/{}", scenes.size()));
+            if (std::exchange(listed_by[static_cast<std::size_t>(root)], scenes.size()) != scenes.size())
+                scene.roots.push_back(root);
         }
-        if (!listed[static_cast<std::size_t>(node)]) scene.roots.push_back(node);
-        listed[static_cast<std::size_t>(node)] = true;
+        scenes.push_back(std::move(scene));
     }
-    return scene;
+    return scenes;
 }
 
 } // namespace
@@ -115,9 +125,7 @@ void read_nodes(const GltfReader& reader, Model& model) {
     const tinygltf::Model& source = *reader.document.model;
     for (std::size_t i = 0; i < source.nodes.size(); ++i) model.nodes.push_back(read_node(reader, i, model));
     link_parents(reader, model.nodes);
-    refuse_cycles(reader, model.nodes);
-
-    for (std::size_t i = 0; i < source.scenes.size(); ++i) model.scenes.push_back(read_scene(reader, i, model.nodes));
+    model.scenes = read_scenes(reader, find_roots(reader, model.nodes));
     if (model.scenes.empty()) model.scenes.push_back(scene_of_all_roots(model.nodes));
     model.default_scene = std::max(source.defaultScene, 0);
 }

@@ -5,9 +5,14 @@
 namespace hachure::assets {
 
 void GltfWarnings::add(std::string_view text, std::string_view place) {
+    if (lines_.size() > max_lines) return;
     const auto known = std::lower_bound(kinds_.begin(), kinds_.end(), text);
     if (known != kinds_.end() && *known == text) return;
     kinds_.emplace(known, text);
+    if (lines_.size() == max_lines) {
+        lines_.emplace_back("there is more to warn of than this");
+        return;
+    }
 
     constexpr std::size_t longest = 200;
     std::string line(text.substr(0, longest));

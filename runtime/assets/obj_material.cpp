@@ -1,5 +1,5 @@
-#include <hachure/runtime/assets/mesh_bytes.h>
 #include <hachure/runtime/assets/mesh_builder.h>
+#include <hachure/runtime/assets/mesh_bytes.h>
 #include <hachure/runtime/assets/obj_material.h>
 #include <hachure/runtime/assets/text_scanner.h>
 

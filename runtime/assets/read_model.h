@@ -11,7 +11,8 @@ enum class InputKind { model, image, video, unknown };
 
 [[nodiscard]] InputKind input_kind(const std::filesystem::path& path);
 
-/// Reads a glTF, GLB, OBJ, PLY, OFF or STL file and computes the normals it lacks. Throws Error.
+/// Reads a glTF, GLB, OBJ, PLY, OFF or STL file and computes the normals it lacks. Where a mesh file names no material
+/// its surfaces get a neutral grey, drawn on both sides. Throws Error.
 [[nodiscard]] Model read_model(const std::filesystem::path& path);
 
 } // namespace hachure::assets

@@ -1,5 +1,5 @@
-#include <hachure/runtime/assets/mesh_bytes.h>
 #include <hachure/runtime/assets/mesh_builder.h>
+#include <hachure/runtime/assets/mesh_bytes.h>
 #include <hachure/runtime/assets/mesh_files.h>
 #include <hachure/runtime/assets/text_scanner.h>
 #include <hachure/runtime/geometry/weld.h>

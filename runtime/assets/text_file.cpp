@@ -1,5 +1,4 @@
 #include <hachure/runtime/assets/text_file.h>
-
 #include <hachure/runtime/error.h>
 
 #include <fstream>

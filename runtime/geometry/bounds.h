@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+
 #include <limits>
 #include <span>
 

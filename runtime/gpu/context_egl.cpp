@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <mutex>
 #include <string_view>
 
 namespace hachure::gpu {
@@ -29,75 +28,56 @@ template <typename Function> Function entry(const char* name) {
     return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-/// An initialised display. EGL gives every caller the same one and does not count them, so it is shared and terminated
-/// with the last context on it.
-class SharedDisplay {
-public:
-    explicit SharedDisplay(EGLDisplay display) : display_(display) {}
-    ~SharedDisplay() { eglTerminate(display_); }
-    SharedDisplay(const SharedDisplay&) = delete;
-    SharedDisplay& operator=(const SharedDisplay&) = delete;
-
-    [[nodiscard]] EGLDisplay get() const { return display_; }
-
-    /// The process's display, found at first use.
-    static std::shared_ptr<SharedDisplay> acquire();
-
-private:
-    EGLDisplay display_;
-};
-
-/// Initialises `display` when it can take surfaceless contexts of desktop OpenGL; else null.
-std::shared_ptr<SharedDisplay> initialise(EGLDisplay display) {
-    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return nullptr;
-    auto owned = std::make_shared<SharedDisplay>(display);
+/// Initialises `display` when it can take surfaceless contexts of desktop OpenGL; else EGL_NO_DISPLAY.
+EGLDisplay initialise(EGLDisplay display) {
+    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return EGL_NO_DISPLAY;
     const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
     const bool usable = lists(extensions, "EGL_KHR_surfaceless_context") &&
                         lists(extensions, "EGL_KHR_create_context") &&
                         lists(eglQueryString(display, EGL_CLIENT_APIS), "OpenGL");
-    return usable ? owned : nullptr;
+    if (usable) return display;
+    eglTerminate(display);
+    return EGL_NO_DISPLAY;
 }
 
-/// A display on the first hardware device that works, or null. Mesa lists its software rasteriser as a device too; that
-/// one is left to the surfaceless platform.
-std::shared_ptr<SharedDisplay> open_hardware(const char* client_extensions,
-                                             PFNEGLGETPLATFORMDISPLAYEXTPROC get_display) {
+/// A display on the first hardware device that works, or EGL_NO_DISPLAY. Mesa lists its software rasteriser as a device
+/// too; that one is left to the surfaceless platform.
+EGLDisplay open_hardware(const char* client_extensions, PFNEGLGETPLATFORMDISPLAYEXTPROC get_display) {
     if (!lists(client_extensions, "EGL_EXT_platform_device") ||
         !(lists(client_extensions, "EGL_EXT_device_base") || lists(client_extensions, "EGL_EXT_device_enumeration"))) {
-        return nullptr;
+        return EGL_NO_DISPLAY;
     }
     const auto query_devices = entry<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     const auto query_string = entry<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
-    if (query_devices == nullptr || query_string == nullptr) return nullptr;
+    if (query_devices == nullptr || query_string == nullptr) return EGL_NO_DISPLAY;
     std::array<EGLDeviceEXT, 32> devices{};
     EGLint count = 0;
-    if (query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_FALSE) return nullptr;
+    if (query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_FALSE) return EGL_NO_DISPLAY;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         if (lists(query_string(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software")) continue;
-        if (auto display = initialise(get_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr))) return display;
+        const EGLDisplay display = initialise(get_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+        if (display != EGL_NO_DISPLAY) return display;
     }
-    return nullptr;
+    return EGL_NO_DISPLAY;
 }
 
-std::shared_ptr<SharedDisplay> open_display() {
+EGLDisplay open_display() {
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     // The core entry of EGL 1.5 may be missing before a display is initialised; the extension's is not.
     const auto get_display = entry<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
     if (get_display == nullptr) throw Error("egl", "the driver has no eglGetPlatformDisplayEXT");
-    auto display = open_hardware(extensions, get_display);
-    if (!display && lists(extensions, "EGL_MESA_platform_surfaceless")) {
+    EGLDisplay display = open_hardware(extensions, get_display);
+    if (display == EGL_NO_DISPLAY && lists(extensions, "EGL_MESA_platform_surfaceless")) {
         display = initialise(get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
     }
-    if (!display) throw Error("egl", "no display could be initialised");
+    if (display == EGL_NO_DISPLAY) throw Error("egl", "no display could be initialised");
     return display;
 }
 
-std::shared_ptr<SharedDisplay> SharedDisplay::acquire() {
-    static std::mutex mutex;
-    static std::weak_ptr<SharedDisplay> shared;
-    const std::lock_guard lock(mutex);
-    std::shared_ptr<SharedDisplay> display = shared.lock();
-    if (!display) shared = display = open_display();
+/// The process's display, found at first use. It is never terminated: EGL gives every caller the same one without
+/// counting them, and a driver that is unloaded and loaded again costs time, and leaks in Mesa.
+EGLDisplay shared_display() {
+    static const EGLDisplay display = open_display();
     return display;
 }
 
@@ -116,7 +96,7 @@ EGLConfig choose_config(EGLDisplay display) {
 
 class EglContext final : public Context {
 public:
-    explicit EglContext(const ContextOptions& options) : Context(Backend::egl), display_(SharedDisplay::acquire()) {
+    explicit EglContext(const ContextOptions& options) : Context(Backend::egl), display_(shared_display()) {
         if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) throw Error("egl", "the driver has no desktop OpenGL");
         const std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
                                                   4,
@@ -127,7 +107,7 @@ public:
                                                   options.debug ? EGL_CONTEXT_FLAGS_KHR : EGL_NONE,
                                                   EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR,
                                                   EGL_NONE};
-        context_ = eglCreateContext(display_->get(), choose_config(display_->get()), EGL_NO_CONTEXT, attributes.data());
+        context_ = eglCreateContext(display_, choose_config(display_), EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT) {
             throw Error("egl",
                         fmt::format("no OpenGL 4.5 core context could be created (EGL error 0x{:04x})", eglGetError()));
@@ -144,23 +124,23 @@ public:
 protected:
     void native_make_current() override {
         eglBindAPI(EGL_OPENGL_API);
-        if (eglMakeCurrent(display_->get(), EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
+        if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
             throw Error("egl",
                         fmt::format("the context could not be made current (EGL error 0x{:04x})", eglGetError()));
         }
     }
     void native_release() override {
         eglBindAPI(EGL_OPENGL_API);
-        eglMakeCurrent(display_->get(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
 
 private:
     void destroy() {
         release_if_current();
-        eglDestroyContext(display_->get(), context_);
+        eglDestroyContext(display_, context_);
     }
 
-    std::shared_ptr<SharedDisplay> display_;
+    EGLDisplay display_;
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 

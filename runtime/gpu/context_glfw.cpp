@@ -17,28 +17,17 @@ namespace {
     throw Error("glfw", std::string(what) + (reason != nullptr ? std::string(": ") + reason : std::string()));
 }
 
-/// GLFW itself, alive while a window is. GLFW belongs to the main thread, so no lock is needed.
-class Library {
-public:
-    Library() {
-        if (glfwInit() == GLFW_FALSE) fail("the window system could not be reached");
-    }
-    ~Library() { glfwTerminate(); }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-
-    static std::shared_ptr<Library> acquire() {
-        static std::weak_ptr<Library> shared;
-        std::shared_ptr<Library> library = shared.lock();
-        if (!library) shared = library = std::make_shared<Library>();
-        return library;
-    }
-};
+/// Starts GLFW at the first window. It is never terminated: closing the connection unloads the driver, and loading it
+/// again costs time, and leaks in Mesa. The system closes the connection with the process.
+void start_glfw() {
+    if (glfwInit() == GLFW_FALSE) fail("the window system could not be reached");
+}
 
 class GlfwContext final : public Context {
 public:
-    explicit GlfwContext(const ContextOptions& options) : Context(Backend::glfw), library_(Library::acquire()) {
+    explicit GlfwContext(const ContextOptions& options) : Context(Backend::glfw) {
         HACHURE_ASSERT(options.width >= 1 && options.height >= 1, "a window has at least one pixel");
+        start_glfw();
         set_hints(options);
         window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
         if (window_ == nullptr) fail("no window with OpenGL 4.5 core could be opened");
@@ -83,7 +72,6 @@ private:
         glfwDestroyWindow(window_);
     }
 
-    std::shared_ptr<Library> library_;
     GLFWwindow* window_ = nullptr;
 };
 

@@ -3,10 +3,11 @@
 #include <hachure/runtime/ecs/entity.h>
 #include <hachure/runtime/gpu/framebuffer.h>
 
-#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct DrawItem {
     glm::mat3 world_from_normal{1.0f}; ///< inverse transpose of the above
     glm::vec3 tint{1.0f};
     std::uint32_t object_id = 0; ///< AOV `object_id`: 1 for the entity made first, and so on
-    gpu::Rect rect; ///< pixels that it can touch, cut to the view
+    gpu::Rect rect;              ///< pixels that it can touch, cut to the view
     bool mirrored = false;       ///< the transform turns front faces round
     /// The capability that shades it: its render pass draws the items that carry its name.
     std::string_view shading = "unlit";

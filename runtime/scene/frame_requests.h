@@ -19,8 +19,8 @@ struct AovInfo {
 
 /// What the parts of a frame ask of each other. A resource.
 struct FrameRequests {
-    std::vector<AovInfo> known;  ///< every AOV that a registered capability can make
-    std::set<std::string, std::less<>> aovs; ///< what the program wants, every frame, by name
+    std::vector<AovInfo> known;                  ///< every AOV that a registered capability can make
+    std::set<std::string, std::less<>> aovs;     ///< what the program wants, every frame, by name
     std::set<std::string, std::less<>> textures; ///< what systems of stage `material` want of this frame, by name
 
     [[nodiscard]] bool wants(std::string_view name) const { return aovs.contains(name) || textures.contains(name); }

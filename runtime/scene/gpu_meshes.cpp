@@ -60,9 +60,12 @@ std::vector<std::uint8_t> to_rgba(const assets::Image& image) {
 
 gpu::Wrap gpu_wrap(assets::Wrap wrap) {
     switch (wrap) {
-    case assets::Wrap::clamp: return gpu::Wrap::clamp_to_edge;
-    case assets::Wrap::mirror: return gpu::Wrap::mirrored_repeat;
-    case assets::Wrap::repeat: break;
+    case assets::Wrap::clamp:
+        return gpu::Wrap::clamp_to_edge;
+    case assets::Wrap::mirror:
+        return gpu::Wrap::mirrored_repeat;
+    case assets::Wrap::repeat:
+        break;
     }
     return gpu::Wrap::repeat;
 }

@@ -2,9 +2,10 @@
 
 #include <hachure/runtime/gpu/frame_graph_key.h>
 
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <cstdint>
 #include <vector>
 
 namespace hachure {

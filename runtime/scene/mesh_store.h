@@ -4,11 +4,12 @@
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/geometry/bounds.h>
 
-#include <cstdint>
-#include <deque>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,11 @@ namespace hachure {
 /// What the shading of a surface needs to know of its material.
 struct SurfaceMaterial {
     std::string name;
-    glm::vec4 base_color{1.0f}; ///< linear RGBA
+    glm::vec4 base_color{1.0f};           ///< linear RGBA
     std::int32_t base_color_texture = -1; ///< into the MeshStore's textures, -1 for none
     glm::vec2 uv_offset{0.0f};
     glm::vec2 uv_scale{1.0f};
-    float uv_rotation = 0.0f; ///< radians
+    float uv_rotation = 0.0f;  ///< radians
     float alpha_cutoff = 0.0f; ///< fragments below it are not drawn; 0 keeps all
     bool double_sided = false;
 };

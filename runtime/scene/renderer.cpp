@@ -1,19 +1,15 @@
-#include <hachure/runtime/scene/renderer.h>
-
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/render_context.h>
+#include <hachure/runtime/scene/renderer.h>
 
 #include <algorithm>
 
 namespace hachure {
 namespace {
 
-/// What holds for everything the house draws: depth is reversed and in [0, 1], and writing to an sRGB target encodes.
-void set_conventions() {
-    gpu::gl().ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    gpu::gl().Enable(GL_FRAMEBUFFER_SRGB);
-}
+/// What holds for everything the house draws: depth is reversed, in [0, 1].
+void set_conventions() { gpu::gl().ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }
 
 std::string known_names(const FrameRequests& requests) {
     std::string names;
@@ -90,10 +86,7 @@ void Renderer::present() {
     const std::uint32_t picture = render.graph.texture(render.graph.find("picture"));
     const gpu::Framebuffer& framebuffer = render.backend->framebuffer({picture});
     gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}});
-    // The picture is encoded already; the window takes its bytes as they are.
-    gpu::gl().Disable(GL_FRAMEBUFFER_SRGB);
     framebuffer.blit_to_window({0, 0, framebuffer.width(), framebuffer.height()});
-    gpu::gl().Enable(GL_FRAMEBUFFER_SRGB);
     render.context->swap_buffers();
 }
 
@@ -103,9 +96,7 @@ std::span<const gpu::PassStats> Renderer::pass_stats() {
     return render.graph.stats();
 }
 
-gpu::FrameGraphMemory Renderer::memory() const {
-    return app_->world().resource<RenderContext>().graph.memory();
-}
+gpu::FrameGraphMemory Renderer::memory() const { return app_->world().resource<RenderContext>().graph.memory(); }
 
 void Renderer::finish() { gpu::gl().Finish(); }
 

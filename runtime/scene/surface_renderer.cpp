@@ -1,9 +1,8 @@
-#include <hachure/runtime/scene/surface_renderer.h>
-
 #include <hachure/runtime/gpu/state.h>
 #include <hachure/runtime/scene/light_list.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/render_context.h>
+#include <hachure/runtime/scene/surface_renderer.h>
 #include <hachure/runtime/scene/view.h>
 
 #include <cmath>
@@ -16,7 +15,8 @@ const gpu::Framebuffer& bind_targets(RenderContext& render, gpu::PassContext& pa
     const std::uint32_t depth = pass.texture(targets.depth_buffer);
     const gpu::Framebuffer& framebuffer =
         targets.normal || targets.object_id
-            ? render.backend->framebuffer({pass.texture(targets.color), id(targets.normal), id(targets.object_id)}, depth)
+            ? render.backend->framebuffer({pass.texture(targets.color), id(targets.normal), id(targets.object_id)},
+                                          depth)
             : render.backend->framebuffer({pass.texture(targets.color)}, depth);
     framebuffer.bind();
     return framebuffer;
@@ -56,6 +56,7 @@ gpu::DrawState draw_state(const View& view, const DrawItem& item, const SurfaceM
     state.viewport = {0, 0, view.width, view.height};
     state.depth_test = gpu::DepthTest::greater;
     state.depth_write = true;
+    state.srgb_write = true;
     if (!material.double_sided) state.cull = item.mirrored ? gpu::Cull::front : gpu::Cull::back;
     return state;
 }

@@ -37,8 +37,8 @@ struct SurfaceShading {
 void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& pass, const SurfaceTargets& targets,
                    const SurfaceShading& shading);
 
-/// Declares the pass `shading.name`, which draws the claimed items and depends on `key` (what the shading itself depends
-/// on; view, lights, items and shaders are counted in). Without claimed items there is no pass.
+/// Declares the pass `shading.name`, which draws the claimed items and depends on `key` (what the shading itself
+/// depends on; view, lights, items and shaders are counted in). Without claimed items there is no pass.
 void add_surface_pass(World& world, SurfaceShading shading, std::uint64_t key);
 
 } // namespace hachure

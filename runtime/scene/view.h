@@ -3,11 +3,12 @@
 #include <hachure/runtime/ecs/entity.h>
 #include <hachure/runtime/gpu/frame_graph_key.h>
 
-#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <cstdint>
 
 namespace hachure {
 
@@ -37,9 +38,7 @@ struct View {
     Entity camera = Entity::null;
 
     /// What a pass that draws this view depends on.
-    [[nodiscard]] std::uint64_t key() const {
-        return gpu::key_of(view_from_world, clip_from_view, width, height);
-    }
+    [[nodiscard]] std::uint64_t key() const { return gpu::key_of(view_from_world, clip_from_view, width, height); }
 
     friend bool operator==(const View&, const View&) = default;
 };

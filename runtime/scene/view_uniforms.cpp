@@ -41,7 +41,8 @@ LightBlock light_block(const LightList& list) {
     const std::size_t count = std::min(list.lights.size(), block.lights.size());
     for (std::size_t i = 0; i < count; ++i) {
         const ShadingLight& light = list.lights[i];
-        block.lights[i] = {light.position, glm::vec4(light.direction, light.range),
+        block.lights[i] = {light.position,
+                           glm::vec4(light.direction, light.range),
                            glm::vec4(light.color, light.spot ? 1.0f : 0.0f),
                            {std::cos(light.inner_cone), std::cos(light.outer_cone), 0.0f, 0.0f}};
     }

@@ -1,13 +1,13 @@
-#include <hachure/systems/camera/camera.h>
-
 #include <hachure/components/name.h>
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/app/app.h>
+#include <hachure/systems/camera/camera.h>
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_inverse.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <limits>
 
 namespace hachure {
@@ -116,8 +116,8 @@ View make_view(const Camera& camera, const glm::mat4& world_from_camera, Canvas 
 
 Entity spawn_framing_camera(World& world, std::span<const glm::vec3> points, Canvas canvas) {
     Camera camera;
-    const glm::quat turn = glm::angleAxis(0.45f, glm::vec3(0.0f, 1.0f, 0.0f)) *
-                           glm::angleAxis(-0.22f, glm::vec3(1.0f, 0.0f, 0.0f));
+    const glm::quat turn =
+        glm::angleAxis(0.45f, glm::vec3(0.0f, 1.0f, 0.0f)) * glm::angleAxis(-0.22f, glm::vec3(1.0f, 0.0f, 0.0f));
     const float slope_y = std::tan(0.5f * camera.yfov) / framing_margin;
     const float slope_x = slope_y * static_cast<float>(canvas.width) / static_cast<float>(canvas.height);
     const FramingFit fit = fit_points(points, glm::conjugate(turn), slope_x, slope_y);

@@ -6,6 +6,7 @@
 #include <hachure/runtime/scene/view.h>
 
 #include <glm/vec3.hpp>
+
 #include <span>
 
 namespace hachure {

@@ -1,11 +1,10 @@
-#include <hachure/systems/compose/compose.h>
-
 #include <hachure/components/compose.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/light_list.h>
 #include <hachure/runtime/scene/line_layer.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/systems/compose/compose.h>
 
 namespace hachure {
 namespace {
@@ -32,7 +31,10 @@ void declare_overlay(World& world, RenderContext& render) {
             const gpu::TextureDesc& desc = pass.desc(data.color);
             render.backend->framebuffer({pass.texture(data.color)}).bind();
             render.draw_full_screen("compose/overlay.frag",
-                                    {.viewport = {0, 0, desc.width, desc.height}, .scissor = rect, .blend = gpu::Blend::premultiplied},
+                                    {.viewport = {0, 0, desc.width, desc.height},
+                                     .scissor = rect,
+                                     .blend = gpu::Blend::premultiplied,
+                                     .srgb_write = true},
                                     {pass.texture(data.layer)});
         });
 }
@@ -86,7 +88,8 @@ void declare_picture(RenderContext& render) {
         [&render](const EncodePass& data, gpu::PassContext& pass) {
             const gpu::TextureDesc& size = pass.desc(data.picture);
             render.backend->framebuffer({pass.texture(data.picture)}).bind();
-            render.draw_full_screen("compose/encode.frag", {.viewport = {0, 0, size.width, size.height}},
+            render.draw_full_screen("compose/encode.frag",
+                                    {.viewport = {0, 0, size.width, size.height}, .srgb_write = true},
                                     {pass.texture(data.color)});
         });
 }
@@ -103,8 +106,8 @@ void declare_passes(World& world) {
 void register_compose(App& app) {
     app.add_component<Compose>();
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
-    frame_requests(app.world()).known.push_back(
-        {"depth", "metres from the plane of the eye; 1e10 where nothing is drawn", {"Z"}});
+    frame_requests(app.world())
+        .known.push_back({"depth", "metres from the plane of the eye; 1e10 where nothing is drawn", {"Z"}});
     app.add_system(Stage::render, "compose.passes", declare_passes);
 }
 

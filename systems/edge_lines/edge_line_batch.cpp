@@ -1,11 +1,11 @@
-#include <hachure/systems/edge_lines/edge_line_batch.h>
-
 #include <hachure/runtime/gpu/frame_graph_key.h>
+#include <hachure/systems/edge_lines/edge_line_batch.h>
 #include <hachure/systems/edge_lines/select_edges.h>
+
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <glm/matrix.hpp>
 #include <unordered_set>
 
 namespace hachure {
@@ -16,6 +16,7 @@ EdgeLineMesh make_edge_mesh(const SurfaceMesh& source) {
     mesh.table = geometry::build_edge_table(source.positions, source.indices);
     mesh.planes.resize(source.indices.size() / 3);
     geometry::face_planes(source.positions, source.indices, mesh.planes);
+    mesh.creases.resize(mesh.table.edges.size(), 0);
     mesh.front.resize(mesh.planes.size());
     mesh.selected.resize(mesh.table.edges.size());
     mesh.closed = std::ranges::none_of(mesh.table.edges, [](const geometry::Edge& edge) {
@@ -58,18 +59,22 @@ void EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const
     const std::uint64_t key = batch_key(item, lines, view);
     if (batch.key_ == key) return;
     EdgeLineMesh& edges = mesh(store, item.mesh);
+    const std::vector<glm::vec3>& positions = store.mesh(item.mesh).positions;
+    if (lines.crease && edges.crease_angle != lines.crease_angle) {
+        edges.creases = find_creases(positions, edges.table.edges, edges.planes, lines.crease_angle);
+        edges.crease_angle = lines.crease_angle;
+    }
     SelectEdgesJob job{.edges = edges.table.edges,
                        .planes = edges.planes,
+                       .creases = edges.creases,
                        .eye = glm::inverse(item.world_from_entity) * view.eye,
                        .silhouette = lines.silhouette,
                        .crease = lines.crease,
                        .border = lines.border,
-                       .crease_angle = lines.crease_angle,
                        .closed = edges.closed,
                        .front = edges.front,
                        .selected = edges.selected};
     job.run();
-    const std::vector<glm::vec3>& positions = store.mesh(item.mesh).positions;
     batch.segments.clear();
     for (std::size_t i = 0; i < job.count; ++i) {
         const geometry::Edge& edge = edges.table.edges[edges.selected[i]];

@@ -9,9 +9,10 @@
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/view.h>
 
-#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+
+#include <cstdint>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -22,6 +23,8 @@ namespace hachure {
 struct EdgeLineMesh {
     geometry::EdgeTable table;
     std::vector<glm::vec4> planes;
+    std::vector<std::uint8_t> creases;   ///< of find_creases
+    float crease_angle = -1.0f;          ///< which they were found with; -1 for not yet
     std::vector<std::uint8_t> front;     ///< scratch of SelectEdgesJob
     std::vector<std::uint32_t> selected; ///< likewise
     bool closed = false;
@@ -46,9 +49,9 @@ struct EdgeLineBatch {
 
 private:
     friend class EdgeLineBatches;
-    std::uint64_t key_ = 0;   ///< of what the segments were chosen from
+    std::uint64_t key_ = 0; ///< of what the segments were chosen from
     bool uploaded_ = false;
-    gpu::Buffer buffer_;      ///< grows, never shrinks
+    gpu::Buffer buffer_; ///< grows, never shrinks
 };
 
 /// The batches of all entities with EdgeLines, kept from frame to frame.

@@ -1,5 +1,3 @@
-#include <hachure/systems/edge_lines/edge_lines.h>
-
 #include <hachure/components/edge_lines.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/draw_list.h>
@@ -8,6 +6,7 @@
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/edge_lines/edge_line_batch.h>
+#include <hachure/systems/edge_lines/edge_lines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +97,8 @@ void declare_pass(World& world) {
             const gpu::TextureDesc& desc = graph.desc(data.depth_buffer);
             data.layer = pass.create("line_layer", {desc.width, desc.height, gpu::Format::rgba16f});
             graph.publish("line_layer", data.layer);
-            pass.depends_on(world.resource<DrawList>().key, world.last_changed<EdgeLines>(), render.shaders->generation());
+            pass.depends_on(world.resource<DrawList>().key, world.last_changed<EdgeLines>(),
+                            render.shaders->generation());
             pass.covers(static_cast<std::uint64_t>(frame.rect.width) * static_cast<std::uint64_t>(frame.rect.height));
         },
         [&world, &render](const LinePass& data, gpu::PassContext& pass) { draw_lines(world, render, data, pass); });

@@ -2,23 +2,36 @@
 
 #include <hachure/runtime/geometry/edges.h>
 
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec4.hpp>
 #include <span>
+#include <vector>
 
 namespace hachure {
+
+/// Marks the edges whose faces meet at more than `crease_angle` (radians between their normals), one byte per edge.
+/// Noise on dense surfaces makes single edges that sharp; they are left out: creases that hang together are kept when
+/// they have `min_crease_edges` edges, or a total length of `min_crease_length` times the size of the mesh (the
+/// diagonal of its bounds).
+[[nodiscard]] std::vector<std::uint8_t> find_creases(std::span<const glm::vec3> positions,
+                                                     std::span<const geometry::Edge> edges,
+                                                     std::span<const glm::vec4> planes, float crease_angle);
+inline constexpr std::size_t min_crease_edges = 6;
+inline constexpr float min_crease_length = 0.04f;
 
 /// Chooses the edges of a mesh that are drawn from an eye. One sweep over faces, one over edges, no allocation.
 struct SelectEdgesJob {
     std::span<const geometry::Edge> edges;
-    std::span<const glm::vec4> planes; ///< of every face, as geometry::face_planes gives them
-    glm::vec4 eye{0.0f};               ///< in the mesh's space: a place (w = 1) or a direction towards the eye (w = 0)
+    std::span<const glm::vec4> planes;     ///< of every face, as geometry::face_planes gives them
+    std::span<const std::uint8_t> creases; ///< one per edge: not 0 where it is a crease, as find_creases gives them
+    glm::vec4 eye{0.0f}; ///< in the mesh's space: a place (w = 1) or a direction towards the eye (w = 0)
     bool silhouette = true;
     bool crease = true;
     bool border = true;
-    float crease_angle = 0.9f; ///< radians between face normals
-    bool closed = false;       ///< nothing behind a back face can be seen: creases between back faces are left out
+    bool closed = false; ///< nothing behind a back face can be seen: creases between back faces are left out
 
     std::span<std::uint8_t> front;     ///< scratch, one per face
     std::span<std::uint32_t> selected; ///< out, room for one per edge; indices into `edges`, ascending

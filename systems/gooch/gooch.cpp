@@ -1,9 +1,8 @@
-#include <hachure/systems/gooch/gooch.h>
-
 #include <hachure/components/gooch.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/surface_renderer.h>
+#include <hachure/systems/gooch/gooch.h>
 
 namespace hachure {
 namespace {
@@ -30,12 +29,13 @@ void set_uniforms(const Gooch& gooch, gpu::Program& program) {
 }
 
 void declare_pass(World& world) {
-    add_surface_pass(world,
-                     {.name = shading_name,
-                      .fragment = "gooch/gooch.frag",
-                      .defines = [&world](Entity entity, auto& defines) { add_defines(world.get<Gooch>(entity), defines); },
-                      .uniforms = [&world](Entity entity, auto& program) { set_uniforms(world.get<Gooch>(entity), program); }},
-                     world.last_changed<Gooch>());
+    add_surface_pass(
+        world,
+        {.name = shading_name,
+         .fragment = "gooch/gooch.frag",
+         .defines = [&world](Entity entity, auto& defines) { add_defines(world.get<Gooch>(entity), defines); },
+         .uniforms = [&world](Entity entity, auto& program) { set_uniforms(world.get<Gooch>(entity), program); }},
+        world.last_changed<Gooch>());
 }
 
 } // namespace

@@ -1,15 +1,15 @@
-#include <hachure/systems/light/light.h>
-
 #include <hachure/components/name.h>
 #include <hachure/components/transform.h>
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/light_list.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/systems/light/light.h>
+
+#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 
 namespace hachure {
 namespace {

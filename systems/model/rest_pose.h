@@ -3,6 +3,7 @@
 #include <hachure/runtime/assets/model.h>
 
 #include <glm/mat4x4.hpp>
+
 #include <vector>
 
 namespace hachure {

@@ -1,5 +1,3 @@
-#include <hachure/systems/model/spawn_model.h>
-
 #include <hachure/components/camera.h>
 #include <hachure/components/light.h>
 #include <hachure/components/name.h>
@@ -11,6 +9,7 @@
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/systems/model/merge_primitives.h>
 #include <hachure/systems/model/rest_pose.h>
+#include <hachure/systems/model/spawn_model.h>
 
 #include <algorithm>
 #include <map>
@@ -57,11 +56,7 @@ private:
 
 SurfaceMaterial surface_material(const Model& model, std::int32_t index, Textures& textures) {
     SurfaceMaterial result;
-    if (index < 0) {
-        // Plain meshes say nothing of their orientation; both sides are drawn.
-        result.double_sided = model.materials.empty();
-        return result;
-    }
+    if (index < 0) return result; // glTF's default: white, one side
     const assets::Material& material = model.materials[static_cast<std::size_t>(index)];
     result.name = material.name;
     result.base_color = material.base_color;
@@ -104,13 +99,15 @@ public:
     SpawnedModel run() {
         const assets::Scene& scene = model_.scenes[static_cast<std::size_t>(model_.default_scene)];
         std::vector<std::pair<std::int32_t, Entity>> pending;
-        for (auto root = scene.roots.rbegin(); root != scene.roots.rend(); ++root) pending.emplace_back(*root, Entity{});
+        for (auto root = scene.roots.rbegin(); root != scene.roots.rend(); ++root)
+            pending.emplace_back(*root, Entity{});
         while (!pending.empty()) {
             const auto [index, parent] = pending.back();
             pending.pop_back();
             const Entity entity = spawn_node(static_cast<std::size_t>(index), parent);
             const std::vector<std::int32_t>& children = model_.nodes[static_cast<std::size_t>(index)].children;
-            for (auto child = children.rbegin(); child != children.rend(); ++child) pending.emplace_back(*child, entity);
+            for (auto child = children.rbegin(); child != children.rend(); ++child)
+                pending.emplace_back(*child, entity);
         }
         return std::move(result_);
     }

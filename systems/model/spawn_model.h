@@ -4,6 +4,7 @@
 #include <hachure/runtime/ecs/world.h>
 
 #include <glm/vec3.hpp>
+
 #include <string>
 #include <vector>
 

@@ -1,12 +1,12 @@
-#include <hachure/systems/styles/style.h>
-
 #include <hachure/components/camera.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/assets/text_file.h>
 #include <hachure/runtime/error.h>
+#include <hachure/systems/styles/style.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace hachure {
 namespace {
@@ -19,7 +19,8 @@ constexpr std::size_t max_style_bytes = std::size_t{1} << 20;
 std::string field_text(std::string_view subject, const json& value, const std::string& pointer) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_boolean() || value.is_number()) return value.dump();
-    if (!value.is_array() || value.empty() || value.size() > 4) throw Error(subject, "is not a value of a field", pointer);
+    if (!value.is_array() || value.empty() || value.size() > 4)
+        throw Error(subject, "is not a value of a field", pointer);
     std::string text;
     for (const json& element : value) {
         if (!element.is_number()) throw Error(subject, "is not a number", pointer);
@@ -61,7 +62,8 @@ std::vector<StyleComponent> parse_components(const TypeRegistry& types, std::str
     return result;
 }
 
-void add_components(World& world, const TypeRegistry& types, Entity entity, std::span<const StyleComponent> components) {
+void add_components(World& world, const TypeRegistry& types, Entity entity,
+                    std::span<const StyleComponent> components) {
     for (const StyleComponent& component : components) {
         const TypeInfo* type = types.find(component.component);
         void* value = type->add_default(world, entity);
@@ -108,8 +110,10 @@ Style find_style(const TypeRegistry& types, std::string_view name_or_path) {
 }
 
 void apply_style(World& world, const TypeRegistry& types, const Style& style) {
-    for (const Entity entity : types.find("surface")->entities(world)) add_components(world, types, entity, style.surface);
-    for (const Entity entity : types.find("camera")->entities(world)) add_components(world, types, entity, style.camera);
+    for (const Entity entity : types.find("surface")->entities(world))
+        add_components(world, types, entity, style.surface);
+    for (const Entity entity : types.find("camera")->entities(world))
+        add_components(world, types, entity, style.camera);
 }
 
 } // namespace hachure

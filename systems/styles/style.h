@@ -13,8 +13,8 @@ namespace hachure {
 
 /// Components, with field values, that a style puts on the entities of one kind.
 struct StyleComponent {
-    std::string component;                                       ///< as the TypeRegistry knows it
-    std::vector<std::pair<std::string, FieldValue>> fields;      ///< the others keep their defaults
+    std::string component;                                  ///< as the TypeRegistry knows it
+    std::vector<std::pair<std::string, FieldValue>> fields; ///< the others keep their defaults
 };
 
 /// A look, as data: what every surface carries and what the camera carries. A preset file is JSON:

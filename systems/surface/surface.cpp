@@ -1,5 +1,3 @@
-#include <hachure/systems/surface/surface.h>
-
 #include <hachure/components/compose.h>
 #include <hachure/components/surface.h>
 #include <hachure/components/world_transform.h>
@@ -10,9 +8,11 @@
 #include <hachure/runtime/scene/surface_renderer.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/surface/frustum.h>
+#include <hachure/systems/surface/surface.h>
+
+#include <glm/gtc/matrix_inverse.hpp>
 
 #include <algorithm>
-#include <glm/gtc/matrix_inverse.hpp>
 
 namespace hachure {
 namespace {
@@ -90,11 +90,14 @@ void declare_targets(World& world, RenderContext& render) {
         },
         [&render, clear_color](const SurfaceTargets& targets, gpu::PassContext& pass) {
             const gpu::TextureDesc& desc = pass.desc(targets.color);
-            gpu::apply({.viewport = {0, 0, desc.width, desc.height}, .depth_test = gpu::DepthTest::always,
-                        .depth_write = true});
+            gpu::apply({.viewport = {0, 0, desc.width, desc.height},
+                        .depth_test = gpu::DepthTest::always,
+                        .depth_write = true,
+                        .srgb_write = true});
             const auto id = [&](gpu::TextureHandle handle) { return handle ? pass.texture(handle) : 0u; };
-            const gpu::Framebuffer& framebuffer = render.backend->framebuffer(
-                {pass.texture(targets.color), id(targets.normal), id(targets.object_id)}, pass.texture(targets.depth_buffer));
+            const gpu::Framebuffer& framebuffer =
+                render.backend->framebuffer({pass.texture(targets.color), id(targets.normal), id(targets.object_id)},
+                                            pass.texture(targets.depth_buffer));
             framebuffer.clear_color(0, std::array{clear_color.r, clear_color.g, clear_color.b, 1.0f});
             if (targets.normal) framebuffer.clear_color(1, std::array{0.0f, 0.0f, 0.0f, 0.0f});
             if (targets.object_id) framebuffer.clear_color(2, std::array{0u, 0u, 0u, 0u});
@@ -117,9 +120,11 @@ void register_surface(App& app) {
     world.set_resource(DrawList{});
     std::vector<AovInfo>& aovs = frame_requests(world).known;
     aovs.push_back({"color", "the picture in linear RGB, before it is encoded; not clamped", {"R", "G", "B"}});
-    aovs.push_back({"normal", "unit surface normal in the world, on the side that is seen; 0 where nothing is drawn",
+    aovs.push_back({"normal",
+                    "unit surface normal in the world, on the side that is seen; 0 where nothing is drawn",
                     {"normal.X", "normal.Y", "normal.Z"}});
-    aovs.push_back({"object_id", "1 for the surface entity made first, and so on; 0 where nothing is drawn", {"object_id"}});
+    aovs.push_back(
+        {"object_id", "1 for the surface entity made first, and so on; 0 where nothing is drawn", {"object_id"}});
     app.add_system(Stage::material, "surface.collect", update_draw_list);
     app.add_system(Stage::render, "surface.passes", declare_passes);
 }

@@ -1,11 +1,11 @@
-#include <hachure/systems/transform/transform.h>
-
 #include <hachure/components/transform.h>
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/app/app.h>
+#include <hachure/systems/transform/transform.h>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
 #include <unordered_set>
 #include <vector>
 
@@ -28,8 +28,8 @@ glm::mat4 local_matrix(const World& world, Entity entity) {
 class TransformSystem {
 public:
     void operator()(World& world) {
-        const Tick newest = std::max({world.last_changed<Transform>(), world.last_changed<LocalMatrix>(),
-                                      world.last_changed<Parent>()});
+        const Tick newest = std::max(
+            {world.last_changed<Transform>(), world.last_changed<LocalMatrix>(), world.last_changed<Parent>()});
         if (newest <= seen_) return;
         std::vector<Entity> moved;
         collect<Transform>(world, moved);
@@ -44,8 +44,7 @@ public:
     }
 
 private:
-    template <class C>
-    void collect(World& world, std::vector<Entity>& moved) const {
+    template <class C> void collect(World& world, std::vector<Entity>& moved) const {
         for (auto [entity, value] : world.query<const C>().template changed_since<C>(seen_)) moved.push_back(entity);
     }
 

@@ -1,0 +1,69 @@
+#include <hachure/runtime/geometry/bounds.h>
+#include <hachure/systems/edge_lines/select_edges.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numeric>
+
+namespace hachure {
+namespace {
+
+using geometry::Edge;
+
+bool is_sharp(const Edge& edge, std::span<const glm::vec4> planes, float cosine_limit) {
+    if (edge.face1 == geometry::no_face) return false;
+    const float cosine = glm::dot(glm::vec3(planes[edge.face0]), glm::vec3(planes[edge.face1]));
+    const bool mismatch = (edge.flags & geometry::edge_orientation_mismatch) != 0;
+    return (mismatch ? -cosine : cosine) < cosine_limit;
+}
+
+/// Disjoint sets of vertices, joined by the creases between them.
+class CreaseChains {
+public:
+    explicit CreaseChains(std::size_t vertices) : parent_(vertices) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    std::uint32_t root(std::uint32_t v) {
+        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+        return v;
+    }
+    void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+struct ChainSize {
+    std::size_t edges = 0;
+    float length = 0.0f;
+};
+
+} // namespace
+
+std::vector<std::uint8_t> find_creases(std::span<const glm::vec3> positions, std::span<const Edge> edges,
+                                       std::span<const glm::vec4> planes, float crease_angle) {
+    const float cosine_limit = std::cos(crease_angle);
+    std::vector<std::uint8_t> creases(edges.size(), 0);
+    CreaseChains chains(positions.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (!is_sharp(edges[i], planes, cosine_limit)) continue;
+        creases[i] = 1;
+        chains.join(edges[i].v0, edges[i].v1);
+    }
+    std::vector<ChainSize> sizes(positions.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (!creases[i]) continue;
+        ChainSize& size = sizes[chains.root(edges[i].v0)];
+        ++size.edges;
+        size.length += glm::distance(positions[edges[i].v0], positions[edges[i].v1]);
+    }
+    const float least_length = min_crease_length * glm::length(geometry::bounds_of(positions).extent());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (!creases[i]) continue;
+        const ChainSize& size = sizes[chains.root(edges[i].v0)];
+        if (size.edges < min_crease_edges && size.length < least_length) creases[i] = 0;
+    }
+    return creases;
+}
+
+} // namespace hachure
