@@ -1,5 +1,6 @@
-#include <hachure/tests/support/glb_file.h>
+#include <hachure/tests/editor/forked_command.h>
 #include <hachure/tests/editor/program.h>
+#include <hachure/tests/support/glb_file.h>
 
 #include <unistd.h>
 
@@ -9,8 +10,9 @@ namespace {
 /// Both commands that read a model fail with 1, name the file, and leave the folder as it was.
 void expect_refused(const TempFolder& folder, const std::string& input, const std::string& says) {
     const auto before = folder.listing();
-    EXPECT_TRUE(failed(hachure_program(folder, {"info", input}), 1, input + ": " + says));
-    EXPECT_TRUE(failed(hachure_program(folder, {"render", input, "-o", "out.png", "--size", "64x48"}), 1, input + ": " + says));
+    EXPECT_TRUE(failed(forked_command({"info", input}, folder.path()), 1, input + ": " + says));
+    EXPECT_TRUE(failed(forked_command({"render", input, "-o", "out.png", "--size", "64x48"}, folder.path()), 1,
+                       input + ": " + says));
     EXPECT_EQ(folder.listing(), before);
 }
 
@@ -42,7 +44,7 @@ TEST(InputErrors, EmptyFile) {
     for (const std::string name : {"e.obj", "e.ply", "e.off", "e.stl", "e.glb", "e.gltf"}) {
         folder.write(name, "");
         const auto before = folder.listing();
-        EXPECT_TRUE(failed(hachure_program(folder, {"render", name, "-o", "out.png"}), 1, name + ": "));
+        EXPECT_TRUE(failed(forked_command({"render", name, "-o", "out.png"}, folder.path()), 1, name + ": "));
         EXPECT_EQ(folder.listing(), before);
     }
 }
@@ -53,7 +55,7 @@ TEST(InputErrors, MeshWithoutTriangles) {
     folder.write("none.glb", edited_triangle_glb("\"mesh\": 0", "\"name\": \"n\""));
     for (const std::string name : {"points.obj", "none.glb"}) {
         const auto before = folder.listing();
-        EXPECT_TRUE(failed(hachure_program(folder, {"render", name, "-o", "out.png"}), 1, name + ": "));
+        EXPECT_TRUE(failed(forked_command({"render", name, "-o", "out.png"}, folder.path()), 1, name + ": "));
         EXPECT_EQ(folder.listing(), before);
     }
 }
@@ -67,14 +69,15 @@ TEST(InputErrors, UnknownKindOfFile) {
 TEST(InputErrors, ImageHasNothingToShade) {
     const TempFolder folder;
     folder.write("in.png", "no image at all");
-    EXPECT_TRUE(failed(hachure_program(folder, {"render", "in.png", "-o", "out.png"}), 1, "in.png: "));
-    EXPECT_TRUE(failed(hachure_program(folder, {"info", "in.png"}), 1, "in.png: "));
+    EXPECT_TRUE(failed(forked_command({"render", "in.png", "-o", "out.png"}, folder.path()), 1, "in.png: "));
+    EXPECT_TRUE(failed(forked_command({"info", "in.png"}, folder.path()), 1, "in.png: "));
     EXPECT_FALSE(std::filesystem::exists(folder / "out.png"));
 }
 
 TEST(InputErrors, NameWithControlCharactersStaysOneLine) {
     const TempFolder folder;
-    EXPECT_TRUE(failed(hachure_program(folder, {"info", "two\nlines.obj"}), 1, "lines.obj: there is no such file"));
+    EXPECT_TRUE(
+        failed(forked_command({"info", "two\nlines.obj"}, folder.path()), 1, "lines.obj: there is no such file"));
 }
 
 TEST(InputErrors, BrokenPreset) {
@@ -87,8 +90,9 @@ TEST(InputErrors, BrokenPreset) {
     folder.write("deep.json", std::string(1 << 19, '['));
     folder.write("types.json", R"({"hachure_style": 1, "name": [1], "surface": {"gooch": {"b": {"c": null}}}})");
     const auto before = folder.listing();
-    for (const char* style : {"json.json", "field.json", "range.json", "version.json", "deep.json", "types.json", "absent.json"})
-        EXPECT_TRUE(failed(hachure_program(folder, {"render", "in.obj", "-o", "out.png", "--style", style}), 1,
+    for (const char* style :
+         {"json.json", "field.json", "range.json", "version.json", "deep.json", "types.json", "absent.json"})
+        EXPECT_TRUE(failed(forked_command({"render", "in.obj", "-o", "out.png", "--style", style}, folder.path()), 1,
                            std::string(style) + ": "))
             << style;
     EXPECT_EQ(folder.listing(), before);
@@ -98,7 +102,9 @@ TEST(InputErrors, SetThatNobodyCarries) {
     const TempFolder folder;
     folder.write("in.obj", tetrahedron_obj);
     const auto before = folder.listing();
-    EXPECT_TRUE(failed(hachure_program(folder, {"render", "in.obj", "-o", "out.png", "--set", "nobody/gooch.b=0.5"}), 1, "nobody"));
+    EXPECT_TRUE(
+        failed(forked_command({"render", "in.obj", "-o", "out.png", "--set", "nobody/gooch.b=0.5"}, folder.path()), 1,
+               "nobody"));
     EXPECT_EQ(folder.listing(), before);
 }
 

@@ -1,5 +1,6 @@
-#include <hachure/tests/support/glb_file.h>
+#include <hachure/tests/editor/forked_command.h>
 #include <hachure/tests/editor/program.h>
+#include <hachure/tests/support/glb_file.h>
 
 #include <map>
 #include <sstream>
@@ -10,7 +11,7 @@ namespace {
 /// The text of `hachure list KIND`, a line each.
 std::vector<std::string> list(const std::string& kind) {
     const TempFolder folder;
-    const ProcessResult result = hachure_program(folder, {"list", kind});
+    const ProcessResult result = forked_command({"list", kind}, folder.path());
     EXPECT_TRUE(succeeded(result)) << kind;
     std::vector<std::string> lines;
     std::istringstream stream(result.out);
@@ -30,7 +31,8 @@ TEST(List, Styles) { EXPECT_NE(line_of(list("styles"), "gooch").find("cool-to-wa
 
 TEST(List, ComponentsWithTheirFields) {
     const std::vector<std::string> lines = list("components");
-    for (const char* name : {"transform", "camera", "light", "surface", "gooch", "edge_lines", "compose"}) line_of(lines, name);
+    for (const char* name : {"transform", "camera", "light", "surface", "gooch", "edge_lines", "compose"})
+        line_of(lines, name);
     const std::string field = line_of(lines, "  yfov");
     EXPECT_NE(field.find("rad"), std::string::npos) << field;
     EXPECT_NE(field.find("default 0.6"), std::string::npos) << field;
@@ -47,7 +49,8 @@ TEST(List, Aovs) {
 }
 
 TEST(List, SystemsInTheOrderOfTheirStages) {
-    const std::vector<std::string> stages{"input", "script", "animate", "transform", "deform", "light", "material", "render"};
+    const std::vector<std::string> stages{"input",  "script", "animate",  "transform",
+                                          "deform", "light",  "material", "render"};
     std::size_t last = 0;
     const std::vector<std::string> lines = list("systems");
     EXPECT_GE(lines.size(), 8u);
@@ -61,7 +64,7 @@ TEST(List, SystemsInTheOrderOfTheirStages) {
 
 /// The rows of `hachure info FILE`, by name.
 std::map<std::string, std::string> info(const TempFolder& folder, const std::string& file) {
-    const ProcessResult result = hachure_program(folder, {"info", file});
+    const ProcessResult result = forked_command({"info", file}, folder.path());
     EXPECT_TRUE(succeeded(result));
     std::map<std::string, std::string> rows;
     std::istringstream stream(result.out);

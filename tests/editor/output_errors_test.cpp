@@ -41,7 +41,8 @@ TEST_F(OutputErrors, TargetIsAFolder) {
 TEST_F(OutputErrors, FolderIsReadOnly) {
     if (::geteuid() == 0) GTEST_SKIP() << "root writes everywhere";
     std::filesystem::create_directory(folder / "shut");
-    std::filesystem::permissions(folder / "shut", std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    std::filesystem::permissions(folder / "shut",
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
     expect_refused({"-o", "shut/out.png"}, "shut/out.png");
 }
 

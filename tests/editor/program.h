@@ -28,16 +28,16 @@ inline testing::AssertionResult failed(const ProcessResult& result, int code, co
     if (result.exit_code == code && lines == 1 && result.out.empty() && result.err.starts_with("hachure: error: ") &&
         result.err.find(text) != std::string::npos)
         return testing::AssertionSuccess();
-    return testing::AssertionFailure() << "exit " << result.exit_code << " (signal " << result.signal << "), wanted " << code
-                                       << " with one line that says '" << text << "'\nstdout: " << result.out
+    return testing::AssertionFailure() << "exit " << result.exit_code << " (signal " << result.signal << "), wanted "
+                                       << code << " with one line that says '" << text << "'\nstdout: " << result.out
                                        << "\nstderr: " << result.err;
 }
 
 /// The command succeeded and had nothing to say on stderr.
 inline testing::AssertionResult succeeded(const ProcessResult& result) {
     if (result.exit_code == 0 && result.err.empty()) return testing::AssertionSuccess();
-    return testing::AssertionFailure() << "exit " << result.exit_code << " (signal " << result.signal << ")\nstderr: "
-                                       << result.err;
+    return testing::AssertionFailure() << "exit " << result.exit_code << " (signal " << result.signal
+                                       << ")\nstderr: " << result.err;
 }
 
 } // namespace hachure::test

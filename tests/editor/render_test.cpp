@@ -1,6 +1,6 @@
 #include <hachure/runtime/assets/image_file.h>
-#include <hachure/tests/support/glb_file.h>
 #include <hachure/tests/editor/program.h>
+#include <hachure/tests/support/glb_file.h>
 
 #include <OpenImageIO/imageio.h>
 
@@ -41,7 +41,8 @@ protected:
 };
 
 std::array<int, 3> pixel(const Image& image, int x, int y) {
-    const std::uint8_t* p = image.u8() + static_cast<std::size_t>(y * image.width + x) * static_cast<std::size_t>(image.channels);
+    const std::uint8_t* p =
+        image.u8() + static_cast<std::size_t>(y * image.width + x) * static_cast<std::size_t>(image.channels);
     return {p[0], p[1], p[2]};
 }
 
@@ -85,8 +86,8 @@ TEST_F(Render, SameInputSamePicture) {
 }
 
 TEST_F(Render, ExrHoldsLinearColor) {
-    ASSERT_TRUE(succeeded(render("squares.glb", {"-o", "out.exr", "--set", "surface.visible=false", "--set",
-                                                 "compose.background=0.5 0.25 3"})));
+    ASSERT_TRUE(succeeded(render(
+        "squares.glb", {"-o", "out.exr", "--set", "surface.visible=false", "--set", "compose.background=0.5 0.25 3"})));
     const Image image = assets::read_image(folder / "out.exr");
     ASSERT_EQ(image.type, PixelType::f32);
     ASSERT_EQ(image.channels, 3);
@@ -103,8 +104,8 @@ std::set<std::string> channels_of(const std::filesystem::path& file) {
 }
 
 TEST_F(Render, AovsHaveTheirChannels) {
-    ASSERT_TRUE(succeeded(render("squares.glb", {"-o", "out.png", "--aov", "color=c.exr", "--aov", "depth=d.exr", "--aov",
-                                                 "normal=n.exr", "--aov", "object_id=i.exr"})));
+    ASSERT_TRUE(succeeded(render("squares.glb", {"-o", "out.png", "--aov", "color=c.exr", "--aov", "depth=d.exr",
+                                                 "--aov", "normal=n.exr", "--aov", "object_id=i.exr"})));
     EXPECT_EQ(channels_of(folder / "c.exr"), (std::set<std::string>{"R", "G", "B"}));
     EXPECT_EQ(channels_of(folder / "d.exr"), (std::set<std::string>{"Z"}));
     EXPECT_EQ(channels_of(folder / "n.exr"), (std::set<std::string>{"normal.X", "normal.Y", "normal.Z"}));
@@ -112,8 +113,8 @@ TEST_F(Render, AovsHaveTheirChannels) {
 }
 
 TEST_F(Render, AovsHoldWhatTheirNamesSay) {
-    ASSERT_TRUE(succeeded(
-        render("squares.glb", {"-o", "out.png", "--aov", "depth=d.exr", "--aov", "normal=n.exr", "--aov", "object_id=i.exr"})));
+    ASSERT_TRUE(succeeded(render("squares.glb", {"-o", "out.png", "--aov", "depth=d.exr", "--aov", "normal=n.exr",
+                                                 "--aov", "object_id=i.exr"})));
     const std::size_t left = 16 * 64 + 16, right = 16 * 64 + 48;
     const Image depth = assets::read_image(folder / "d.exr"), normal = assets::read_image(folder / "n.exr"),
                 id = assets::read_image(folder / "i.exr");
@@ -153,7 +154,8 @@ TEST_F(Render, PresetFileIsAStyle) {
     folder.write("mine.json", R"({"hachure_style": 1, "name": "mine", "doc": "tones without lines",
         "surface": {"gooch": {"b": 0, "y": 0, "alpha": 0, "beta": 0, "highlight": 0}},
         "camera": {"compose": {"background": [0, 1, 0]}}})");
-    ASSERT_TRUE(succeeded(render("squares.glb", {"-o", "out.png", "--style", "mine.json", "--set", "left/surface.visible=false"})));
+    ASSERT_TRUE(succeeded(
+        render("squares.glb", {"-o", "out.png", "--style", "mine.json", "--set", "left/surface.visible=false"})));
     const Image image = assets::read_image(folder / "out.png");
     EXPECT_EQ(pixel(image, 16, 16), (std::array<int, 3>{0, 255, 0}));
     EXPECT_EQ(pixel(image, 48, 16), (std::array<int, 3>{0, 0, 0}));

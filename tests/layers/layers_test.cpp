@@ -30,12 +30,9 @@ const std::map<std::string, std::set<std::string>> allowed_layers{
 
 /// The modules of runtime/ that each may include; files at the root of runtime/ are for all.
 const std::map<std::string, std::set<std::string>> allowed_modules{
-    {"ecs", {}},
-    {"gpu", {}},
-    {"geometry", {}},
-    {"assets", {"geometry"}},
-    {"app", {"ecs"}},
-    {"scene", {"ecs", "gpu", "geometry", "assets", "app"}},
+    {"ecs", {}},      {"gpu", {}},
+    {"geometry", {}}, {"assets", {"geometry"}},
+    {"app", {"ecs"}}, {"scene", {"ecs", "gpu", "geometry", "assets", "app"}},
 };
 
 TEST(Layers, IncludesGoOnlyToTheLeft) {
@@ -93,7 +90,8 @@ TEST(Layers, ShadersIncludeTheCommonOnesAndTheirOwn) {
 std::vector<std::string> capabilities() {
     std::vector<std::string> names;
     for (const std::string& name : folders_in("systems"))
-        if (text_of("systems/" + name + "/" + name + ".h").find("register_" + name + "(") != std::string::npos) names.push_back(name);
+        if (text_of("systems/" + name + "/" + name + ".h").find("register_" + name + "(") != std::string::npos)
+            names.push_back(name);
     return names;
 }
 

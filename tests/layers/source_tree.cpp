@@ -41,7 +41,8 @@ fs::path source_root() { return HACHURE_SOURCE_DIR; }
 std::vector<Include> source_includes(const std::vector<std::string>& folders) {
     std::vector<Include> all;
     for (const std::string& folder : folders)
-        for (Include& include : includes_below(folder, {".h", ".cpp"}, "<hachure/", '>', "")) all.push_back(std::move(include));
+        for (Include& include : includes_below(folder, {".h", ".cpp"}, "<hachure/", '>', ""))
+            all.push_back(std::move(include));
     return all;
 }
 

@@ -8,8 +8,7 @@
 namespace hachure::test {
 namespace glb_detail {
 
-template <class T>
-std::string bytes(const std::vector<T>& values) {
+template <class T> std::string bytes(const std::vector<T>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
@@ -22,12 +21,12 @@ inline std::string glb(std::string json, std::string binary) {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     binary.resize((binary.size() + 3) / 4 * 4, '\0');
     const std::size_t total = 12 + 8 + json.size() + 8 + binary.size();
-    return "glTF" + glb_detail::u32(2) + glb_detail::u32(total) + glb_detail::u32(json.size()) + "JSON" + json + glb_detail::u32(binary.size()) + std::string("BIN\0", 4) +
-           binary;
+    return "glTF" + glb_detail::u32(2) + glb_detail::u32(total) + glb_detail::u32(json.size()) + "JSON" + json +
+           glb_detail::u32(binary.size()) + std::string("BIN\0", 4) + binary;
 }
 
-/// Two squares in z = 0 that face +Z, as nodes "left" (x in [-2, 0]) and "right" (x in [0, 2]), y in [-1, 1]; seen by an
-/// orthographic camera whose picture they fill when it is twice as wide as high.
+/// Two squares in z = 0 that face +Z, as nodes "left" (x in [-2, 0]) and "right" (x in [0, 2]), y in [-1, 1]; seen by
+/// an orthographic camera whose picture they fill when it is twice as wide as high.
 inline std::string two_squares_glb() {
     const std::string positions = glb_detail::bytes(std::vector<float>{-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0});
     const std::string indices = glb_detail::bytes(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3});
@@ -56,7 +55,8 @@ inline std::string triangle_json() {
 
 /// Its binary chunk: three positions of floats, three indices of 16 bits.
 inline std::string triangle_binary() {
-    return glb_detail::bytes(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}) + glb_detail::bytes(std::vector<std::uint16_t>{0, 1, 2, 0});
+    return glb_detail::bytes(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}) +
+           glb_detail::bytes(std::vector<std::uint16_t>{0, 1, 2, 0});
 }
 
 /// The triangle with its JSON edited: `from` became `to`.

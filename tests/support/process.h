@@ -55,7 +55,8 @@ public:
     [[nodiscard]] ProcessResult wait() {
         int status = 0;
         rusage usage{};
-        while (::wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) {}
+        while (::wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) {
+        }
         pid_ = -1;
         ProcessResult result;
         if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);

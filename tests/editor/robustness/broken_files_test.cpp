@@ -34,8 +34,7 @@ protected:
         if (files.empty()) GTEST_SKIP() << "HACHURE_MODELS names no folder with broken models";
     }
 
-    template <class Visit>
-    void each_of_shard(Visit visit) {
+    template <class Visit> void each_of_shard(Visit visit) {
         for (std::size_t i = static_cast<std::size_t>(GetParam()); i < files.size(); i += shards) visit(i, files[i]);
     }
 
@@ -51,7 +50,8 @@ TEST_P(BrokenFiles, InfoIsSafe) {
 /// Draws into a folder that must stay as it was when the file is refused.
 void expect_safe_drawing(const TempFolder& folder, const std::filesystem::path& file, const ProcessResult& result) {
     EXPECT_TRUE(is_safe(result, file.string()));
-    const std::set<std::string> expected = result.exit_code == 0 ? std::set<std::string>{"out.png"} : std::set<std::string>{};
+    const std::set<std::string> expected =
+        result.exit_code == 0 ? std::set<std::string>{"out.png"} : std::set<std::string>{};
     EXPECT_EQ(folder.listing(), expected) << file;
     std::filesystem::remove(folder / "out.png");
 }
@@ -61,7 +61,8 @@ TEST_P(BrokenFiles, RenderIsSafe) {
     std::size_t models = 0;
     each_of_shard([&](std::size_t, const std::filesystem::path& file) {
         if (!is_model(file) || (is_gltf(file) && models++ % render_every != 0)) return;
-        expect_safe_drawing(folder, file, forked_command({"render", file.string(), "-o", "out.png", "--size", "64x48"}, folder.path()));
+        expect_safe_drawing(
+            folder, file, forked_command({"render", file.string(), "-o", "out.png", "--size", "64x48"}, folder.path()));
     });
 }
 
@@ -70,7 +71,8 @@ TEST_P(BrokenFiles, TheProgramItselfIsSafe) {
     std::size_t models = 0;
     each_of_shard([&](std::size_t, const std::filesystem::path& file) {
         if (!is_model(file) || models++ % 10 != 0) return;
-        const std::vector<std::string> command{HACHURE_PROGRAM, "render", file.string(), "-o", "out.png", "--size", "64x48"};
+        const std::vector<std::string> command{HACHURE_PROGRAM, "render", file.string(), "-o",
+                                               "out.png",       "--size", "64x48"};
         expect_safe_drawing(folder, file, run_process(command, folder.path()));
     });
 }

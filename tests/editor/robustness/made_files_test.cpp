@@ -12,7 +12,8 @@ namespace {
 void expect_refused(const TempFolder& folder, const std::string& name) {
     const auto before = folder.listing();
     for (const std::vector<std::string>& command :
-         {std::vector<std::string>{"info", name}, std::vector<std::string>{"render", name, "-o", "out.png", "--size", "64x48"}}) {
+         {std::vector<std::string>{"info", name},
+          std::vector<std::string>{"render", name, "-o", "out.png", "--size", "64x48"}}) {
         const ProcessResult result = forked_command(command, folder.path());
         EXPECT_TRUE(is_safe(result, name));
         EXPECT_EQ(result.exit_code, 1) << command[0] << " " << name;
@@ -48,9 +49,11 @@ TEST(MadeFiles, TruncatedGltf) {
 }
 
 TEST(MadeFiles, AccessorBeyondItsBuffer) {
-    expect_refused("count.glb", edited_triangle_glb(R"("componentType": 5126, "count": 3)", R"("componentType": 5126, "count": 4)"));
+    expect_refused("count.glb",
+                   edited_triangle_glb(R"("componentType": 5126, "count": 3)", R"("componentType": 5126, "count": 4)"));
     expect_refused("offset.glb", edited_triangle_glb(R"("bufferView": 0,)", R"("bufferView": 0, "byteOffset": 4,)"));
-    expect_refused("wrap.glb", edited_triangle_glb(R"("bufferView": 0,)", R"("bufferView": 0, "byteOffset": 18446744073709551612,)"));
+    expect_refused("wrap.glb", edited_triangle_glb(R"("bufferView": 0,)",
+                                                   R"("bufferView": 0, "byteOffset": 18446744073709551612,)"));
     expect_refused("view.glb", edited_triangle_glb(R"("byteOffset": 36)", R"("byteOffset": 40)"));
     expect_refused("buffer.glb", edited_triangle_glb(R"("byteLength": 44)", R"("byteLength": 4400)"));
     expect_refused("negative.glb", edited_triangle_glb(R"("count": 3)", R"("count": -3)"));
@@ -63,8 +66,9 @@ TEST(MadeFiles, HundredMillionElements) {
     // Without a view the accessor is zeros, which no file pays for.
     expect_refused("zeros.glb", edited_triangle_glb(R"({"bufferView": 0, "componentType": 5126, "count": 3)",
                                                     R"({"componentType": 5126, "count": 100000000)"));
-    expect_refused("p.ply", "ply\nformat ascii 1.0\nelement vertex 100000000\nproperty float x\nproperty float y\nproperty float "
-                            "z\nelement face 100000000\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n");
+    expect_refused(
+        "p.ply", "ply\nformat ascii 1.0\nelement vertex 100000000\nproperty float x\nproperty float y\nproperty float "
+                 "z\nelement face 100000000\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n");
     expect_refused("o.off", "OFF\n100000000 100000000 0\n0 0 0\n");
     std::string stl(84, '\0');
     const std::uint32_t count = 100000000;
@@ -75,8 +79,10 @@ TEST(MadeFiles, HundredMillionElements) {
 TEST(MadeFiles, CyclicNodes) {
     const std::string nodes = R"("nodes": [{"mesh": 0}, {"name": "spare"}])";
     expect_refused("self.glb", edited_triangle_glb(nodes, R"("nodes": [{"mesh": 0, "children": [0]}])"));
-    expect_refused("two.glb", edited_triangle_glb(nodes, R"("nodes": [{"mesh": 0, "children": [1]}, {"children": [0]}])"));
-    expect_refused("parents.glb", edited_triangle_glb(nodes, R"("nodes": [{"mesh": 0, "children": [1, 1]}, {"name": "n"}])"));
+    expect_refused("two.glb",
+                   edited_triangle_glb(nodes, R"("nodes": [{"mesh": 0, "children": [1]}, {"children": [0]}])"));
+    expect_refused("parents.glb",
+                   edited_triangle_glb(nodes, R"("nodes": [{"mesh": 0, "children": [1, 1]}, {"name": "n"}])"));
 }
 
 TEST(MadeFiles, ChainOfNodesIsNoDanger) {
@@ -88,7 +94,8 @@ TEST(MadeFiles, ChainOfNodesIsNoDanger) {
     const TempFolder folder;
     folder.write("deep.glb", edited_triangle_glb(R"("nodes": [{"mesh": 0}, {"name": "spare"}])", json));
     for (const std::vector<std::string>& command :
-         {std::vector<std::string>{"info", "deep.glb"}, std::vector<std::string>{"render", "deep.glb", "-o", "out.png", "--size", "64x48"}})
+         {std::vector<std::string>{"info", "deep.glb"},
+          std::vector<std::string>{"render", "deep.glb", "-o", "out.png", "--size", "64x48"}})
         EXPECT_TRUE(is_safe(forked_command(command, folder.path()), "deep.glb"));
 }
 
@@ -120,8 +127,8 @@ TEST(MadeFiles, IndicesOutOfRange) {
 }
 
 TEST(MadeFiles, PathsOutOfTheFolder) {
-    for (const char* uri : {"/etc/passwd", "../secret.bin", "a/../../secret.bin", "file:///etc/passwd", "http://localhost/x.bin",
-                            "%2e%2e/secret.bin"}) {
+    for (const char* uri : {"/etc/passwd", "../secret.bin", "a/../../secret.bin", "file:///etc/passwd",
+                            "http://localhost/x.bin", "%2e%2e/secret.bin"}) {
         const TempFolder folder;
         std::filesystem::create_directory(folder / "in");
         folder.write("secret.bin", triangle_binary());
@@ -140,7 +147,8 @@ TEST(MadeFiles, HugeAndTinyCoordinatesAreDrawnOrRefused) {
         folder.write("scale.obj", std::string("v 0 0 0\nv ") + scale + " 0 0\nv 0 " + scale + " 0\nf 1 2 3\n");
         SCOPED_TRACE(scale);
         EXPECT_TRUE(is_safe(forked_command({"info", "scale.obj"}, folder.path()), "scale.obj"));
-        EXPECT_TRUE(is_safe(forked_command({"render", "scale.obj", "-o", "out.png", "--size", "64x48"}, folder.path()), "scale.obj"));
+        EXPECT_TRUE(is_safe(forked_command({"render", "scale.obj", "-o", "out.png", "--size", "64x48"}, folder.path()),
+                            "scale.obj"));
     }
 }
 
@@ -157,9 +165,12 @@ TEST(MadeFiles, FlippedBytes) {
 }
 
 TEST(MadeFiles, BrokenPicturesAndVideos) {
-    for (const char* name : {"p.png", "p.jpg", "p.exr", "p.hdr", "p.tga", "p.bmp", "p.tif", "p.gif", "p.webp", "p.mp4", "p.avi"}) {
+    for (const char* name :
+         {"p.png", "p.jpg", "p.exr", "p.hdr", "p.tga", "p.bmp", "p.tif", "p.gif", "p.webp", "p.mp4", "p.avi"}) {
         const TempFolder folder;
-        folder.write(name, "this is neither a picture nor a video, only some text that is long enough for every header there is");
+        folder.write(
+            name,
+            "this is neither a picture nor a video, only some text that is long enough for every header there is");
         const ProcessResult result = forked_command({"info", name}, folder.path());
         EXPECT_TRUE(is_safe(result, name));
         EXPECT_EQ(result.exit_code, 1) << name << ": " << result.out;

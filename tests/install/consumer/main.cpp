@@ -52,10 +52,11 @@ bool is_near(const std::uint8_t* pixel, const int (&expected)[3], int tolerance)
     return true;
 }
 
-/// The light is perpendicular to the gaze, so in the middle l.n = 0: halfway between the tones (0, 0, b) + alpha k_d and
-/// (y, y, 0) + beta k_d of a white object.
+/// The light is perpendicular to the gaze, so in the middle l.n = 0: halfway between the tones (0, 0, b) + alpha k_d
+/// and (y, y, 0) + beta k_d of a white object.
 bool run() {
-    const auto context = hachure::gpu::make_context({.backend = hachure::gpu::Backend::osmesa, .width = size, .height = size});
+    const auto context =
+        hachure::gpu::make_context({.backend = hachure::gpu::Backend::osmesa, .width = size, .height = size});
     hachure::App app;
     hachure::register_transform(app);
     hachure::register_camera(app);
