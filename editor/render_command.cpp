@@ -74,19 +74,37 @@ void check_aov_names(App& app, const std::vector<AovOutput>& aovs) {
             throw UsageError("--aov: there is no AOV '" + aov.name + "' (see hachure list aovs)");
 }
 
+void check_writable(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.parent_path().empty() ? "." : file.parent_path();
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+        throw Error(file.string(), "can't be written: there is no such folder");
+    if (std::filesystem::is_directory(file, ignored)) throw Error(file.string(), "is a folder, not a file to write");
+}
+
+/// A name is a matter of usage, a preset file one of the file.
+void check_style_name(const std::string& name) {
+    if (std::filesystem::path(name).extension() == ".json") return;
+    std::string known;
+    for (const BuiltInStyle& style : built_in_styles()) {
+        if (name == style.name) return;
+        known += std::string(style.name) + ", ";
+    }
+    throw UsageError("--style: there is no style '" + name + "'; there are " + known + "or a preset FILE.json");
+}
+
 /// Before any work: what would fail at its end.
 void check_outputs(const RenderOptions& options, const std::vector<AovOutput>& aovs) {
     const std::string extension = lower_extension(options.output);
     if (extension != ".png" && extension != ".exr")
         throw UsageError("-o: '" + options.output.string() + "' is neither a .png nor an .exr file");
-    const auto check_folder = [](const std::filesystem::path& file) {
-        const std::filesystem::path folder = file.parent_path().empty() ? "." : file.parent_path();
-        if (!std::filesystem::is_directory(folder))
-            throw Error(file.string(), "can't be written: there is no such folder");
-    };
-    check_folder(options.output);
-    for (const AovOutput& aov : aovs) check_folder(aov.file);
-    if (!options.stats.empty()) check_folder(options.stats);
+    std::vector<std::filesystem::path> files{options.output};
+    for (const AovOutput& aov : aovs) files.push_back(aov.file);
+    if (!options.stats.empty()) files.push_back(options.stats);
+    for (const std::filesystem::path& file : files) {
+        if (std::ranges::count(files, file) > 1) throw UsageError("'" + file.string() + "' would be written twice");
+        check_writable(file);
+    }
 }
 
 gpu::ContextOptions context_options(gpu::Backend backend, Canvas canvas) {
@@ -140,6 +158,7 @@ int run_render(const RenderOptions& options) {
     App app;
     register_capabilities(app);
     const std::vector<Assignment> assignments = parse_assignments(app.types(), options.sets);
+    check_style_name(options.style);
     const Style style = find_style(app.types(), options.style);
     check_aov_names(app, aovs);
     check_outputs(options, aovs);

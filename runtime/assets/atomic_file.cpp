@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <system_error>
 
 namespace hachure::assets {
 namespace {
@@ -67,7 +68,8 @@ private:
 } // namespace
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-    if (std::filesystem::is_directory(path)) throw Error(path.string(), "is a folder, not a file to write");
+    std::error_code ignored; // what is wrong with the path shows when it is opened
+    if (std::filesystem::is_directory(path, ignored)) throw Error(path.string(), "is a folder, not a file to write");
     TemporaryFile file(path);
     file.write(bytes);
     file.commit();

@@ -3,6 +3,7 @@
 #include <hachure/runtime/assets/gltf_data_uri.h>
 #include <hachure/runtime/assets/gltf_meshopt.h>
 #include <hachure/runtime/assets/path_rules.h>
+#include <hachure/runtime/error.h>
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -55,7 +56,12 @@ std::span<const std::byte> GltfBuffers::resource(const std::string& uri, const s
     }
     const std::filesystem::path path = resolve_beside(document_.path, uri, where).lexically_normal();
     if (const auto known = files_.find(path); known != files_.end()) return known->second;
-    auto bytes = read_file_bytes(path, max_file_bytes - file_bytes_);
+    std::vector<std::byte> bytes;
+    try {
+        bytes = read_file_bytes(path, max_file_bytes - file_bytes_);
+    } catch (const Error& error) {
+        document_.fail(fmt::format("needs a file: {}", error.what()), where);
+    }
     file_bytes_ += bytes.size();
     budget_.add_input(bytes.size());
     return files_.emplace(path, std::move(bytes)).first->second;

@@ -58,7 +58,8 @@ std::vector<std::byte> encode(const char* format, const OIIO::ImageSpec& spec, c
 
 Image read_image(const std::filesystem::path& path) {
     const std::string name = path.string();
-    if (!std::filesystem::is_regular_file(path)) throw Error(name, "is not a file that can be read");
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) throw Error(name, "is not a file that can be read");
     const auto input = OIIO::ImageInput::open(name);
     if (!input) throw Error(name, fault_of(OIIO::geterror(), name));
     return decode(*input, name);

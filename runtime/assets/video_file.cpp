@@ -22,7 +22,8 @@ struct VideoFile::State {
 VideoFile::VideoFile(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
     State& s = *state_;
     s.name = path.string();
-    if (!std::filesystem::is_regular_file(path)) throw Error(s.name, "is not a file that can be read");
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) throw Error(s.name, "is not a file that can be read");
     s.input = OIIO::ImageInput::open(s.name);
     if (!s.input) {
         OIIO::geterror();
@@ -34,7 +35,7 @@ VideoFile::VideoFile(const std::filesystem::path& path) : state_(std::make_uniqu
     s.channels = spec.nchannels;
     if (s.width < 1 || s.height < 1 || std::int64_t{s.width} * s.height > max_image_pixels)
         throw Error(s.name, "has frames of a size that can't be read");
-    s.frames = std::max(1, spec.get_int_attribute("oiio:Movie") ? spec.get_int_attribute("ffmpeg:NumFrames", 1) : 1);
+    s.frames = std::max(1, spec.get_int_attribute("oiio:Movie") ? spec.get_int_attribute("oiio:subimages", 1) : 1);
     int rate[2] = {0, 1};
     if (spec.getattribute("FramesPerSecond", OIIO::TypeRational, rate) && rate[1] != 0)
         s.fps = static_cast<double>(rate[0]) / rate[1];

@@ -1,6 +1,5 @@
-#include <hachure/runtime/gpu/frame_graph_gl.h>
-
 #include <hachure/runtime/assert.h>
+#include <hachure/runtime/gpu/frame_graph_gl.h>
 
 #include <algorithm>
 #include <string>
@@ -16,7 +15,8 @@ std::uint32_t GlFrameGraphBackend::create_texture(const TextureDesc& desc, std::
 }
 
 void GlFrameGraphBackend::destroy_texture(std::uint32_t id) {
-    std::erase_if(framebuffers_, [id](const auto& entry) { return std::ranges::find(entry.first, id) != entry.first.end(); });
+    std::erase_if(framebuffers_,
+                  [id](const auto& entry) { return std::ranges::find(entry.first, id) != entry.first.end(); });
     textures_.erase(id);
 }
 

@@ -4,20 +4,29 @@
 #include <hachure/components/edge_lines.h>
 #include <hachure/components/gooch.h>
 #include <hachure/components/transform.h>
-#include <hachure/editor/stylised_app.h>
+#include <hachure/runtime/app/app.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/geometry/shapes.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/renderer.h>
+#include <hachure/systems/camera/camera.h>
+#include <hachure/systems/compose/compose.h>
+#include <hachure/systems/edge_lines/edge_lines.h>
+#include <hachure/systems/gooch/gooch.h>
+#include <hachure/systems/light/light.h>
+#include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/styles/style.h>
+#include <hachure/systems/surface/surface.h>
+#include <hachure/systems/transform/transform.h>
+
+#include <GLFW/glfw3.h>
+#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <GLFW/glfw3.h>
-#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -44,9 +53,9 @@ assets::Model torus_model() {
 /// Turns and moves the camera about the point that it looked at in the beginning.
 class Orbit {
 public:
-    explicit Orbit(App& app) : app_(app), camera_(app.types().find("camera")->entities(app.world()).front()) {
+    explicit Orbit(App& app) : app_(app), camera_(app.world().query<const Camera>().first()) {
         const Transform& transform = app_.world().get<Transform>(camera_);
-        distance_ = 2.0f * app_.world().get<Camera>(camera_).znear; // framing puts the near plane half way
+        distance_ = 3.0f * app_.world().get<Camera>(camera_).znear; // the near plane is half way to the nearest point
         pivot_ = transform.translation - transform.rotation * glm::vec3(0.0f, 0.0f, reach());
     }
 
@@ -62,7 +71,7 @@ public:
     }
 
 private:
-    [[nodiscard]] float reach() const { return 1.5f * distance_ * zoom_; }
+    [[nodiscard]] float reach() const { return distance_ * zoom_; }
     void place(Transform& transform) const {
         transform.translation = pivot_ + transform.rotation * glm::vec3(0.0f, 0.0f, reach());
     }
@@ -80,8 +89,22 @@ int passes_run(Renderer& renderer) {
     return count;
 }
 
+/// What this program draws with; the order is that of drawing.
+void register_capabilities(App& app) {
+    register_transform(app);
+    register_camera(app);
+    register_light(app);
+    register_surface(app);
+    register_gooch(app);
+    register_edge_lines(app);
+    register_compose(app);
+}
+
 void prepare(App& app, const std::string& file, Canvas canvas) {
-    load_model(app, file.empty() ? torus_model() : assets::read_model(file), file.empty() ? "torus" : file, canvas);
+    app.world().set_resource(canvas);
+    const SpawnedModel spawned = spawn_model(app.world(), file.empty() ? torus_model() : assets::read_model(file));
+    if (spawned.points.empty()) throw Error(file, "has nothing to draw");
+    spawn_framing_camera(app.world(), spawned.points, canvas);
     apply_style(app.world(), app.types(), find_style(app.types(), "gooch"));
 }
 

@@ -7,8 +7,8 @@ namespace hachure {
 
 class App;
 
-/// The resource LightList follows the Light entities and, for lights that ride with the camera, the View. A world without
-/// a Light is lit by the default one.
+/// The resource LightList follows the Light entities and, for lights that ride with the camera, the View. A world
+/// without a Light is lit by the default one.
 void register_light(App& app);
 
 /// Adds the light of Gooch 1998, section 4.2: up and to the right of the camera, perpendicular to the gaze, white.

@@ -50,8 +50,7 @@ private:
     }
 
     /// Who lost a C stands elsewhere, too.
-    template <class C>
-    void collect_removed(const World& world, std::vector<Entity>& moved) const {
+    template <class C> void collect_removed(const World& world, std::vector<Entity>& moved) const {
         for (const Entity entity : world.removed_since<C>(seen_))
             if (world.alive(entity)) moved.push_back(entity);
     }

@@ -5,10 +5,11 @@
 #include <hachure/runtime/geometry/edges.h>
 #include <hachure/tests/benchmarks/bench_report.h>
 
-#include <cstdio>
-#include <filesystem>
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include <cstdio>
+#include <filesystem>
 #include <string>
 
 namespace {

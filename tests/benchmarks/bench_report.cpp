@@ -1,12 +1,12 @@
+#include <hachure/runtime/assets/atomic_file.h>
 #include <hachure/tests/benchmarks/bench_report.h>
 
-#include <hachure/runtime/assets/atomic_file.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <span>
 
 namespace hachure::bench {
@@ -14,7 +14,8 @@ namespace hachure::bench {
 Arguments parse_arguments(int argc, char** argv, std::string_view what_it_measures) {
     Arguments arguments;
     const auto usage = [&] {
-        const std::string text = fmt::format("{}\nusage: {} [--quick] [--csv FILE] [MODEL]\n", what_it_measures, argv[0]);
+        const std::string text =
+            fmt::format("{}\nusage: {} [--quick] [--csv FILE] [MODEL]\n", what_it_measures, argv[0]);
         std::fputs(text.c_str(), stderr);
         std::exit(2);
     };

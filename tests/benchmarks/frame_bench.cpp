@@ -19,14 +19,15 @@
 #include <hachure/systems/styles/style.h>
 #include <hachure/tests/benchmarks/bench_report.h>
 
+#include <fmt/format.h>
+#include <glm/gtc/quaternion.hpp>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fmt/format.h>
-#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <string>
-#include <unistd.h>
 
 namespace {
 
@@ -95,8 +96,10 @@ private:
         RenderContext& render = world.resource_mutable<RenderContext>();
         const View& view = world.resource<View>();
         target_.bind();
-        gpu::DrawState state{.viewport = {0, 0, view.width, view.height}, .depth_test = gpu::DepthTest::greater,
-                             .depth_write = true, .srgb_write = true};
+        gpu::DrawState state{.viewport = {0, 0, view.width, view.height},
+                             .depth_test = gpu::DepthTest::greater,
+                             .depth_write = true,
+                             .srgb_write = true};
         gpu::apply(state);
         target_.clear_color(0, std::array{1.0f, 1.0f, 1.0f, 1.0f});
         target_.clear_depth(0.0f);

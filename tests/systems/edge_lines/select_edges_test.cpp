@@ -78,15 +78,24 @@ std::set<PlacePair> selected(const Shape& shape, const glm::vec4& eye, const Cho
     const geometry::EdgeTable table = geometry::build_edge_table(shape.positions, shape.indices);
     std::vector<glm::vec4> planes(shape.indices.size() / 3);
     geometry::face_planes(shape.positions, shape.indices, planes);
+    // Every edge above the angle: which of them are too short to be drawn is find_creases_test's.
+    std::vector<std::uint8_t> creases(table.edges.size());
+    for (std::size_t i = 0; i < creases.size(); ++i) {
+        const geometry::Edge& edge = table.edges[i];
+        if (edge.face1 == geometry::no_face) continue;
+        const float turn = (edge.flags & geometry::edge_orientation_mismatch) != 0 ? -1.0f : 1.0f;
+        const float cosine = turn * glm::dot(glm::vec3(planes[edge.face0]), glm::vec3(planes[edge.face1]));
+        creases[i] = cosine < std::cos(choice.crease_angle) ? 1 : 0;
+    }
     std::vector<std::uint8_t> front(planes.size());
     std::vector<std::uint32_t> chosen(table.edges.size());
     SelectEdgesJob job{.edges = table.edges,
                        .planes = planes,
+                       .creases = creases,
                        .eye = eye,
                        .silhouette = choice.silhouette,
                        .crease = choice.crease,
                        .border = choice.border,
-                       .crease_angle = choice.crease_angle,
                        .closed = closed,
                        .front = front,
                        .selected = chosen};

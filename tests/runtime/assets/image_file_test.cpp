@@ -1,0 +1,110 @@
+#include <hachure/runtime/assets/image_file.h>
+#include <hachure/runtime/error.h>
+#include <hachure/tests/support/temp_folder.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace hachure::assets {
+namespace {
+
+using test::TempFolder;
+
+Image noise_u8(int width, int height, int channels) {
+    Image image = make_image(width, height, channels, PixelType::u8);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.u8()[i] = static_cast<std::uint8_t>((i * 2654435761u) >> 13);
+    return image;
+}
+
+std::string fault(const std::filesystem::path& file) {
+    try {
+        static_cast<void>(read_image(file));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(ImageFile, PngRoundTripIsExact) {
+    const TempFolder folder;
+    for (int channels = 1; channels <= 4; ++channels) {
+        Image image = noise_u8(37, 11, channels);
+        if (channels % 2 == 0) // opaque: PNG readers may premultiply
+            for (std::size_t i = static_cast<std::size_t>(channels) - 1; i < image.pixels.size();
+                 i += static_cast<std::size_t>(channels))
+                image.u8()[i] = 255;
+        write_png(folder / "i.png", image);
+        const Image read = read_image(folder / "i.png");
+        EXPECT_EQ(read.width, 37);
+        EXPECT_EQ(read.height, 11);
+        ASSERT_EQ(read.channels, channels);
+        EXPECT_TRUE(read.pixels == image.pixels) << channels;
+    }
+}
+
+TEST(ImageFile, ExrRoundTripIsExact) {
+    const TempFolder folder;
+    Image image = make_image(19, 7, 3, PixelType::f32);
+    for (std::size_t i = 0; i < image.pixels.size() / 4; ++i)
+        image.f32()[i] = std::ldexp(std::sin(static_cast<float>(i)), static_cast<int>(i % 200) - 100);
+    image.f32()[4] = std::numeric_limits<float>::infinity();
+    write_exr(folder / "i.exr", image, std::vector<std::string>{"R", "G", "B"});
+    const Image read = read_image(folder / "i.exr");
+    ASSERT_EQ(read.type, PixelType::f32);
+    ASSERT_EQ(read.channels, 3);
+    EXPECT_TRUE(read.pixels == image.pixels);
+}
+
+TEST(ImageFile, MemoryReadsAsTheFileDoes) {
+    const TempFolder folder;
+    write_png(folder / "i.png", noise_u8(8, 8, 3));
+    const std::string bytes = test::file_text(folder / "i.png");
+    const Image image = read_image_memory("i.png", std::as_bytes(std::span(bytes.data(), bytes.size())));
+    EXPECT_TRUE(image.pixels == read_image(folder / "i.png").pixels);
+}
+
+TEST(ImageFile, BrokenFilesAreRefusedByName) {
+    const TempFolder folder;
+    write_png(folder / "whole.png", noise_u8(64, 64, 3));
+    const std::string whole = test::file_text(folder / "whole.png");
+    for (std::size_t part = 0; part < 8; ++part) {
+        const auto file = folder.write("cut.png", whole.substr(0, whole.size() * part / 8));
+        EXPECT_TRUE(fault(file).starts_with(file.string() + ": ")) << part << ": " << fault(file);
+    }
+    EXPECT_TRUE(fault(folder / "absent.png").starts_with((folder / "absent.png").string() + ": "));
+    EXPECT_TRUE(fault(folder.path()).starts_with(folder.path().string() + ": "));
+}
+
+/// A BMP header alone, which claims `side` x `side` pixels.
+std::string bmp_header(std::int32_t side) {
+    std::string bmp(54, '\0');
+    const std::uint32_t offset = 54, header = 40;
+    const std::uint16_t planes = 1, bits = 24;
+    bmp[0] = 'B', bmp[1] = 'M';
+    std::memcpy(bmp.data() + 10, &offset, 4);
+    std::memcpy(bmp.data() + 14, &header, 4);
+    std::memcpy(bmp.data() + 18, &side, 4);
+    std::memcpy(bmp.data() + 22, &side, 4);
+    std::memcpy(bmp.data() + 26, &planes, 2);
+    std::memcpy(bmp.data() + 28, &bits, 2);
+    return bmp;
+}
+
+TEST(ImageFile, HugeClaimsAreRefusedBeforeTheyCost) {
+    const TempFolder folder;
+    const auto file = folder.write("huge.bmp", bmp_header(60000));
+    EXPECT_TRUE(fault(file).starts_with(file.string() + ": ")) << fault(file);
+}
+
+TEST(ImageFile, WritesNothingWhereItCannot) {
+    const TempFolder folder;
+    EXPECT_THROW(write_png(folder / "absent/i.png", noise_u8(2, 2, 3)), Error);
+    EXPECT_TRUE(folder.listing().empty());
+}
+
+} // namespace
+} // namespace hachure::assets
