@@ -1,5 +1,5 @@
 #include <hachure/runtime/assets/read_model.h>
-#include <hachure/tests/editor/robustness/watched.h>
+#include <hachure/tests/robustness/watched.h>
 #include <hachure/tests/support/temp_folder.h>
 
 #include <cstdlib>

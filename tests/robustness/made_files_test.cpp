@@ -1,4 +1,4 @@
-#include <hachure/tests/editor/robustness/watched.h>
+#include <hachure/tests/robustness/watched.h>
 #include <hachure/tests/support/glb_file.h>
 #include <hachure/tests/support/temp_folder.h>
 
