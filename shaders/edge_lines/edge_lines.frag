@@ -6,7 +6,6 @@
 
 flat in vec4 segment;
 flat in vec2 depths;
-flat in float tolerance; // pixels: how far the edge may lie behind what the depth buffer holds around it
 
 uniform vec3 color;
 uniform float half_width;
@@ -14,15 +13,19 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 
 layout(location = 0) out vec4 out_line;
 
+// How far an edge may lie behind what is drawn around it and still be seen, in pixels: a surface that comes towards the
+// eye at up to 71 degrees, such as the ground before the foot of a wall, is that much nearer one pixel on.
+const float TOLERANCE = 3.0;
+
 // Whether a point at window depth `depth` is in front of enough of what is around pixel `at`. On a silhouette one side
-// lies behind, three of nine samples at least; on a concave crease both sides come nearer, by `tolerance` at most. One or
+// lies behind, three of nine samples at least; on a concave crease both sides come nearer, by TOLERANCE at most. One or
 // two samples are too few: an edge hidden just inside an outline would show through where a corner of its neighbourhood
 // reaches past the outline.
 bool visible(vec2 at, float depth) {
     ivec2 last = ivec2(viewport) - 1;
     ivec2 center = clamp(ivec2(at), ivec2(0), last);
     float line = view_depth(depth);
-    float nearest = line - tolerance * pixel_size * (eye.w > 0.0 ? line : 1.0) - 1e-5 * line;
+    float nearest = line - TOLERANCE * pixel_size * (eye.w > 0.0 ? line : 1.0) - 1e-5 * line;
     int behind = 0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {

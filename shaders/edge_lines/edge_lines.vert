@@ -4,14 +4,12 @@
 
 layout(location = 0) in vec3 in_start; // entity space
 layout(location = 1) in vec3 in_end;
-layout(location = 2) in float in_tolerance; // pixels of depth
 
 uniform mat4 world_from_entity;
 uniform float half_width; // pixels
 
 flat out vec4 segment; // start and end, pixels
 flat out vec2 depths;  // window depth at start and end
-flat out float tolerance;
 
 // Cuts the end `inside`-`outside` at the near plane, where the clip w of what is drawn stays positive.
 vec4 clip_near(vec4 inside, vec4 outside) {
@@ -36,7 +34,6 @@ void main() {
     vec2 q = (b.xy / b.w * 0.5 + 0.5) * viewport;
     segment = vec4(p, q);
     depths = vec2(a.z / a.w, b.z / b.w);
-    tolerance = in_tolerance;
 
     vec2 along = q - p;
     float length_ = length(along);

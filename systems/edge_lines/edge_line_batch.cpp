@@ -25,12 +25,6 @@ EdgeLineMesh make_edge_mesh(const SurfaceMesh& source) {
     return mesh;
 }
 
-float tolerance_of(const geometry::Edge& edge, const EdgeLineMesh& mesh) {
-    constexpr float silhouette_tolerance = 0.25f, crease_tolerance = 1.5f;
-    const bool border = edge.face1 == geometry::no_face;
-    return !border && mesh.front[edge.face0] != mesh.front[edge.face1] ? silhouette_tolerance : crease_tolerance;
-}
-
 std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view) {
     return gpu::key_of(view.key(), item.mesh, item.world_from_entity, lines.silhouette, lines.crease, lines.border,
                        lines.crease_angle);
@@ -47,7 +41,6 @@ void EdgeLineBatch::upload() {
         vertex_array = gpu::VertexArray("edge lines");
         vertex_array.set_attribute({.location = 0, .components = 3, .offset = 0});
         vertex_array.set_attribute({.location = 1, .components = 3, .offset = offsetof(EdgeSegment, end)});
-        vertex_array.set_attribute({.location = 2, .components = 1, .offset = offsetof(EdgeSegment, tolerance)});
         vertex_array.set_vertex_buffer(0, buffer_, sizeof(EdgeSegment), 0, 1);
     }
     buffer_.update(std::span<const EdgeSegment>(segments));
@@ -78,7 +71,7 @@ void EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const
     batch.segments.clear();
     for (std::size_t i = 0; i < job.count; ++i) {
         const geometry::Edge& edge = edges.table.edges[edges.selected[i]];
-        batch.segments.push_back({positions[edge.v0], positions[edge.v1], tolerance_of(edge, edges)});
+        batch.segments.push_back({positions[edge.v0], positions[edge.v1]});
     }
     batch.world_from_entity = item.world_from_entity;
     batch.key_ = key;

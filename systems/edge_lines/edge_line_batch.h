@@ -33,9 +33,6 @@ struct EdgeLineMesh {
 /// A line to draw, in entity space.
 struct EdgeSegment {
     glm::vec3 start, end;
-    /// How far it may lie behind what the depth buffer holds around it and still be seen, pixels. A silhouette has
-    /// something farther on one side; a concave crease lies behind both of its sides.
-    float tolerance;
 };
 
 /// The lines of one entity as seen by the last view.
