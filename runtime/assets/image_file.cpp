@@ -1,12 +1,16 @@
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/assets/atomic_file.h>
+#include <hachure/runtime/assets/file_bytes.h>
 #include <hachure/runtime/assets/image_file.h>
+#include <hachure/runtime/assets/png_check.h>
 #include <hachure/runtime/error.h>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <memory>
 
 namespace hachure::assets {
@@ -40,6 +44,13 @@ Image decode(OIIO::ImageInput& input, const std::string& name) {
     return image;
 }
 
+bool starts_as_png(const std::filesystem::path& path) {
+    std::array<std::byte, 8> start{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(reinterpret_cast<char*>(start.data()), start.size());
+    return file && is_png(start);
+}
+
 std::vector<std::byte> encode(const char* format, const OIIO::ImageSpec& spec, const Image& image,
                               const std::filesystem::path& path) {
     std::vector<unsigned char> bytes;
@@ -60,6 +71,7 @@ Image read_image(const std::filesystem::path& path) {
     const std::string name = path.string();
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) throw Error(name, "is not a file that can be read");
+    if (starts_as_png(path)) return read_image_memory(name, read_file_bytes(path));
     const auto input = OIIO::ImageInput::open(name);
     if (!input) throw Error(name, fault_of(OIIO::geterror(), name));
     return decode(*input, name);
@@ -67,6 +79,7 @@ Image read_image(const std::filesystem::path& path) {
 
 Image read_image_memory(std::string_view name, std::span<const std::byte> bytes) {
     const std::string subject(name);
+    if (is_png(bytes)) check_png(name, bytes);
     OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
     const auto input = OIIO::ImageInput::open(subject, nullptr, &memory);
     if (!input) throw Error(subject, fault_of(OIIO::geterror(), subject));
