@@ -24,7 +24,10 @@ inline void reflect(TypeBuilder<Camera>& type) {
     type.field("yfov", &Camera::yfov).doc("full vertical angle of view (perspective)").unit("rad").range(0.001, 3.13);
     type.field("ymag", &Camera::ymag).doc("half of the view's height (orthographic)").unit("m").range(1e-9, 1e9);
     type.field("znear", &Camera::znear).doc("nearest depth that is drawn").unit("m").range(1e-9, 1e9);
-    type.field("zfar", &Camera::zfar).doc("farthest depth that is drawn; 0 for no limit").unit("m").range(0, 1e12);
+    type.field("zfar", &Camera::zfar)
+        .doc("farthest depth that is drawn; 0 for no limit (1000 half heights in an orthographic view)")
+        .unit("m")
+        .range(0, 1e12);
     type.field("active", &Camera::active).doc("may draw the view");
 }
 
