@@ -4,6 +4,7 @@
 #include <hachure/editor/stylised_app.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/app/progress.h>
+#include <hachure/runtime/assets/extension.h>
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/error.h>
@@ -28,12 +29,6 @@ struct AovOutput {
     std::string name;
     std::filesystem::path file;
 };
-
-std::string lower_extension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
-}
 
 Canvas parse_size(const std::string& text) {
     Canvas canvas{};
@@ -61,7 +56,7 @@ std::vector<AovOutput> parse_aovs(const std::vector<std::string>& texts) {
         if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
             throw UsageError("--aov: '" + text + "' is not NAME=FILE.exr");
         outputs.push_back({text.substr(0, equals), text.substr(equals + 1)});
-        if (lower_extension(outputs.back().file) != ".exr")
+        if (assets::lower_extension(outputs.back().file) != ".exr")
             throw UsageError("--aov: '" + outputs.back().file.string() + "' is not an .exr file");
     }
     return outputs;
@@ -95,7 +90,7 @@ void check_style_name(const std::string& name) {
 
 /// Before any work: what would fail at its end.
 void check_outputs(const RenderOptions& options, const std::vector<AovOutput>& aovs) {
-    const std::string extension = lower_extension(options.output);
+    const std::string extension = assets::lower_extension(options.output);
     if (extension != ".png" && extension != ".exr")
         throw UsageError("-o: '" + options.output.string() + "' is neither a .png nor an .exr file");
     std::vector<std::filesystem::path> files{options.output};
@@ -177,7 +172,7 @@ int run_render(const RenderOptions& options) {
     apply_style(app.world(), app.types(), style);
     apply_assignments(app.world(), assignments);
 
-    const bool exr = lower_extension(options.output) == ".exr";
+    const bool exr = assets::lower_extension(options.output) == ".exr";
     for (const AovOutput& aov : aovs) renderer.request_aov(aov.name);
     if (exr) renderer.request_aov("color");
     progress.stage("drawing");

@@ -1,3 +1,4 @@
+#include <hachure/runtime/assets/extension.h>
 #include <hachure/runtime/assets/mesh_bytes.h>
 #include <hachure/runtime/error.h>
 
@@ -12,12 +13,6 @@
 
 namespace hachure::assets {
 namespace {
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return text;
-}
 
 MeshBytes read_raw(const std::filesystem::path& file) {
     std::error_code error;
@@ -116,12 +111,12 @@ MeshBytes inflate_gzip(const std::filesystem::path& file, const MeshBytes& packe
 
 MeshBytes read_mesh_bytes(const std::filesystem::path& file) {
     MeshBytes bytes = read_raw(file);
-    return lower(file.extension().string()) == ".gz" ? inflate_gzip(file, bytes) : std::move(bytes);
+    return lower_extension(file) == ".gz" ? inflate_gzip(file, bytes) : std::move(bytes);
 }
 
 std::string mesh_extension(const std::filesystem::path& file) {
-    const std::string extension = lower(file.extension().string());
-    return extension == ".gz" ? lower(file.stem().extension().string()) : extension;
+    const std::string extension = lower_extension(file);
+    return extension == ".gz" ? lower_extension(file.stem()) : extension;
 }
 
 } // namespace hachure::assets

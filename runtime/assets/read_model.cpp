@@ -1,4 +1,5 @@
 #include <hachure/runtime/assets/complete.h>
+#include <hachure/runtime/assets/extension.h>
 #include <hachure/runtime/assets/gltf.h>
 #include <hachure/runtime/assets/mesh_files.h>
 #include <hachure/runtime/assets/read_model.h>
@@ -7,17 +8,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
 namespace hachure::assets {
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
-}
 
 bool is_gltf(const std::filesystem::path& path) {
     const std::string extension = lower_extension(path);

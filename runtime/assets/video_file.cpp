@@ -1,4 +1,5 @@
 #include <hachure/runtime/assert.h>
+#include <hachure/runtime/assets/extension.h>
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/assets/video_file.h>
 #include <hachure/runtime/error.h>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
 namespace hachure::assets {
@@ -63,9 +63,7 @@ Image VideoFile::read_frame(int index) {
 bool is_video_name(const std::filesystem::path& path) {
     static constexpr std::array<std::string_view, 8> extensions{".mp4",  ".mov", ".avi", ".mkv",
                                                                 ".webm", ".mpg", ".m4v", ".ogv"};
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return std::ranges::find(extensions, extension) != extensions.end();
+    return std::ranges::find(extensions, lower_extension(path)) != extensions.end();
 }
 
 } // namespace hachure::assets
