@@ -57,11 +57,13 @@ std::vector<std::uint8_t> find_creases(std::span<const glm::vec3> positions, std
         ++size.edges;
         size.length += glm::distance(positions[edges[i].v0], positions[edges[i].v1]);
     }
-    const float least_length = min_crease_length * glm::length(geometry::bounds_of(positions).extent());
+    const float mesh_size = glm::length(geometry::bounds_of(positions).extent());
+    const auto is_kept = [&](const ChainSize& chain) {
+        if (chain.length >= long_crease * mesh_size) return true;
+        return chain.edges >= min_crease_edges && chain.length >= short_crease * mesh_size;
+    };
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (!creases[i]) continue;
-        const ChainSize& size = sizes[chains.root(edges[i].v0)];
-        if (size.edges < min_crease_edges && size.length < least_length) creases[i] = 0;
+        if (creases[i] && !is_kept(sizes[chains.root(edges[i].v0)])) creases[i] = 0;
     }
     return creases;
 }

@@ -14,13 +14,14 @@ namespace hachure {
 
 /// Marks the edges whose faces meet at more than `crease_angle` (radians between their normals), one byte per edge.
 /// Noise on dense surfaces makes single edges that sharp; they are left out: creases that hang together are kept when
-/// they have `min_crease_edges` edges, or a total length of `min_crease_length` times the size of the mesh (the
-/// diagonal of its bounds).
+/// they are `long_crease` times the size of the mesh (the diagonal of its bounds) in all, or when they are `short_crease`
+/// times that size and have `min_crease_edges` edges.
 [[nodiscard]] std::vector<std::uint8_t> find_creases(std::span<const glm::vec3> positions,
                                                      std::span<const geometry::Edge> edges,
                                                      std::span<const glm::vec4> planes, float crease_angle);
 inline constexpr std::size_t min_crease_edges = 6;
-inline constexpr float min_crease_length = 0.06f;
+inline constexpr float long_crease = 0.06f;
+inline constexpr float short_crease = 0.01f;
 
 /// Chooses the edges of a mesh that are drawn from an eye. One sweep over faces, one over edges, no allocation.
 struct SelectEdgesJob {
