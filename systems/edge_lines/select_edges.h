@@ -14,8 +14,8 @@ namespace hachure {
 
 /// Marks the edges whose faces meet at more than `crease_angle` (radians between their normals), one byte per edge.
 /// Noise on dense surfaces makes single edges that sharp; they are left out: creases that hang together are kept when
-/// they are `long_crease` times the size of the mesh (the diagonal of its bounds) in all, or when they are `short_crease`
-/// times that size and have `min_crease_edges` edges.
+/// they are `long_crease` times the size of the mesh (the diagonal of its bounds) in all, or when they are
+/// `short_crease` times that size and have `min_crease_edges` edges.
 [[nodiscard]] std::vector<std::uint8_t> find_creases(std::span<const glm::vec3> positions,
                                                      std::span<const geometry::Edge> edges,
                                                      std::span<const glm::vec4> planes, float crease_angle);
