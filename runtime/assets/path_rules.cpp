@@ -67,7 +67,7 @@ fs::path resolve_beside(const fs::path& file, std::string_view uri, std::string_
     if (const char* fault = fault_of_name(name)) refuse(fault);
 
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    const fs::path target = folder / fs::path(name);
+    fs::path target = folder / fs::path(name);
     std::error_code folder_error, target_error;
     const fs::path real_folder = fs::weakly_canonical(fs::absolute(folder), folder_error);
     const fs::path real_target = fs::weakly_canonical(fs::absolute(target), target_error);
