@@ -1,31 +1,14 @@
-#include <hachure/components/name.h>
 #include <hachure/editor/stylised_app.h>
 #include <hachure/runtime/app/log.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/camera/camera.h>
-#include <hachure/systems/compose/compose.h>
-#include <hachure/systems/edge_lines/edge_lines.h>
-#include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/model/spawn_model.h>
-#include <hachure/systems/surface/surface.h>
-#include <hachure/systems/transform/transform.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace hachure {
-
-void register_capabilities(App& app) {
-    app.add_component<Name>();
-    register_transform(app);
-    register_camera(app);
-    register_light(app);
-    register_surface(app);
-    register_gooch(app);
-    register_edge_lines(app);
-    register_compose(app);
-}
 
 namespace {
 

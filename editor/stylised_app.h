@@ -3,14 +3,12 @@
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/systems/capabilities.h>
 
 #include <filesystem>
 #include <string>
 
 namespace hachure {
-
-/// Registers every capability of the house, in the order in which they draw.
-void register_capabilities(App& app);
 
 /// Puts the model into the app's world, with a camera that frames it and the default light where the file has none.
 /// Warnings go to stderr. Throws Error when there is nothing to draw.

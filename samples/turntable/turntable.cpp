@@ -11,14 +11,9 @@
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/renderer.h>
 #include <hachure/systems/camera/camera.h>
-#include <hachure/systems/compose/compose.h>
-#include <hachure/systems/edge_lines/edge_lines.h>
-#include <hachure/systems/gooch/gooch.h>
-#include <hachure/systems/light/light.h>
+#include <hachure/systems/capabilities.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/styles/style.h>
-#include <hachure/systems/surface/surface.h>
-#include <hachure/systems/transform/transform.h>
 
 #include <GLFW/glfw3.h>
 #include <glm/gtc/quaternion.hpp>
@@ -87,17 +82,6 @@ int passes_run(Renderer& renderer) {
     int count = 0;
     for (const gpu::PassStats& pass : renderer.pass_stats()) count += pass.state == gpu::PassState::run ? 1 : 0;
     return count;
-}
-
-/// What this program draws with; the order is that of drawing.
-void register_capabilities(App& app) {
-    register_transform(app);
-    register_camera(app);
-    register_light(app);
-    register_surface(app);
-    register_gooch(app);
-    register_edge_lines(app);
-    register_compose(app);
 }
 
 void prepare(App& app, const std::string& file, Canvas canvas) {

@@ -70,9 +70,11 @@ TEST(Layers, ComponentsNeedReflectionAndNoMore) {
 }
 
 TEST(Layers, CapabilitiesDoNotIncludeEachOther) {
-    for (const Include& include : source_includes({"systems"}))
+    for (const Include& include : source_includes({"systems"})) {
+        if (include.from == "systems/capabilities.cpp") continue; // the one place that names them all
         EXPECT_TRUE(top(include.to, 1) != "systems" || top(include.to, 2) == top(include.from, 2))
             << include.from << " includes " << include.to;
+    }
 }
 
 TEST(Layers, ShadersIncludeTheCommonOnesAndTheirOwn) {
@@ -102,7 +104,7 @@ TEST(Capabilities, HaveAComponentOfTheirName) {
 }
 
 TEST(Capabilities, AreRegisteredByTheProgramOnce) {
-    const std::string text = text_of("editor/stylised_app.cpp");
+    const std::string text = text_of("systems/capabilities.cpp");
     for (const std::string& name : capabilities()) {
         const std::string call = "    register_" + name + "(app);";
         const std::size_t first = text.find(call);

@@ -10,6 +10,7 @@
 #include <hachure/runtime/scene/renderer.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/camera/camera.h>
+#include <hachure/systems/capabilities.h>
 #include <hachure/systems/compose/compose.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
@@ -35,23 +36,11 @@ inline SurfaceMesh surface_mesh(const geometry::Shape& shape, const SurfaceMater
     return mesh;
 }
 
-/// Registers what draws models, in the order in which they draw.
-inline void register_drawing(App& app) {
-    app.add_component<Name>();
-    register_transform(app);
-    register_camera(app);
-    register_light(app);
-    register_surface(app);
-    register_gooch(app);
-    register_edge_lines(app);
-    register_compose(app);
-}
-
 /// A world with everything that draws models, on a context that must be current and outlive it.
 class DrawnScene {
 public:
     DrawnScene(gpu::Context& context, Canvas canvas) : renderer_(app_, context) {
-        register_drawing(app_);
+        register_capabilities(app_);
         world().set_resource(canvas);
     }
 

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 class StyleTest : public ::testing::Test {
 protected:
-    StyleTest() { test::register_drawing(app); }
+    StyleTest() { register_capabilities(app); }
 
     std::string fault_of(std::string_view json) {
         try {

@@ -1,0 +1,25 @@
+#include <hachure/components/name.h>
+#include <hachure/runtime/app/app.h>
+#include <hachure/systems/camera/camera.h>
+#include <hachure/systems/capabilities.h>
+#include <hachure/systems/compose/compose.h>
+#include <hachure/systems/edge_lines/edge_lines.h>
+#include <hachure/systems/gooch/gooch.h>
+#include <hachure/systems/light/light.h>
+#include <hachure/systems/surface/surface.h>
+#include <hachure/systems/transform/transform.h>
+
+namespace hachure {
+
+void register_capabilities(App& app) {
+    app.add_component<Name>();
+    register_transform(app);
+    register_camera(app);
+    register_light(app);
+    register_surface(app);
+    register_gooch(app);
+    register_edge_lines(app);
+    register_compose(app);
+}
+
+} // namespace hachure
