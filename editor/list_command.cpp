@@ -1,7 +1,8 @@
 #include <hachure/editor/list_command.h>
-#include <hachure/editor/stylised_app.h>
 #include <hachure/editor/usage_error.h>
+#include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/frame_requests.h>
+#include <hachure/systems/capabilities.h>
 #include <hachure/systems/styles/style.h>
 
 #include <CLI/CLI.hpp>

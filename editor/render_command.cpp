@@ -1,7 +1,7 @@
 #include <hachure/editor/assignments.h>
 #include <hachure/editor/frame_stats.h>
+#include <hachure/editor/load_model.h>
 #include <hachure/editor/render_command.h>
-#include <hachure/editor/stylised_app.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/app/progress.h>
 #include <hachure/runtime/assets/extension.h>
@@ -12,6 +12,7 @@
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/renderer.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/systems/capabilities.h>
 #include <hachure/systems/styles/style.h>
 
 #include <CLI/CLI.hpp>

@@ -4,7 +4,7 @@
 
 #include <hachure/components/edge_lines.h>
 #include <hachure/components/transform.h>
-#include <hachure/editor/stylised_app.h>
+#include <hachure/editor/load_model.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/geometry/shapes.h>
@@ -16,6 +16,7 @@
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/renderer.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/systems/capabilities.h>
 #include <hachure/systems/styles/style.h>
 #include <hachure/tests/benchmarks/bench_report.h>
 

@@ -3,7 +3,6 @@
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/scene/view.h>
-#include <hachure/systems/capabilities.h>
 
 #include <filesystem>
 #include <string>

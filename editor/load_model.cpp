@@ -1,4 +1,4 @@
-#include <hachure/editor/stylised_app.h>
+#include <hachure/editor/load_model.h>
 #include <hachure/runtime/app/log.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/camera/camera.h>
