@@ -10,6 +10,7 @@ find_package(OpenGL REQUIRED COMPONENTS EGL)
 find_package(OpenImageIO REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(OSMesa REQUIRED)
+find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
 include(HachurePackageFixes)
 
@@ -18,5 +19,5 @@ function(hachure_link_dependencies target)
   target_link_libraries(${target}
     PUBLIC glm::glm fmt::fmt Threads::Threads
     PRIVATE glfw OpenGL::EGL OSMesa::OSMesa OpenImageIO::OpenImageIO TinyGLTF::TinyGLTF
-      meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json ZLIB::ZLIB ${CMAKE_DL_LIBS})
+      meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json TBB::tbb ZLIB::ZLIB ${CMAKE_DL_LIBS})
 endfunction()

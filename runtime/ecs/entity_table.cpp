@@ -43,5 +43,26 @@ void EntityTable::release(Entity entity) {
     if (++slot.generation != std::numeric_limits<std::uint32_t>::max()) free_.push_back(entity.index);
 }
 
+EntityIds EntityTable::ids() const {
+    EntityIds result{{}, free_};
+    for (const Slot& slot : slots_) result.generations.push_back(slot.generation);
+    return result;
+}
+
+void EntityTable::restore(const EntityIds& ids) {
+    HACHURE_ASSERT(alive_.empty(), "handles are restored into an empty world");
+    slots_.clear();
+    for (const std::uint32_t generation : ids.generations) slots_.push_back({generation, 0});
+    free_ = ids.free;
+    for (const std::uint32_t index : free_) slots_[index].row = no_row;
+    for (std::uint32_t index = 0; index < slots_.size(); ++index) {
+        Slot& slot = slots_[index];
+        if (slot.generation == std::numeric_limits<std::uint32_t>::max()) slot.row = no_row;
+        if (slot.row == no_row) continue;
+        slot.row = static_cast<std::uint32_t>(alive_.size());
+        alive_.push_back({index, slot.generation});
+    }
+}
+
 } // namespace detail
 } // namespace hachure

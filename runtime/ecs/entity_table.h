@@ -6,7 +6,17 @@
 #include <span>
 #include <vector>
 
-namespace hachure::detail {
+namespace hachure {
+
+/// The handles of a world: enough to make another world give out the same ones. A slot that is not in `free` and whose
+/// generation is not used up (2^32 - 1) is alive.
+struct EntityIds {
+    std::vector<std::uint32_t>
+        generations;                 ///< by slot: of the entity that lives there, or of the next one to live there
+    std::vector<std::uint32_t> free; ///< slots to be given out, the last one first
+};
+
+namespace detail {
 
 /// Which entities of a world live. An id is free, then reserved (given out, not yet alive), then alive, then free again
 /// with the next generation.
@@ -34,6 +44,11 @@ public:
     /// Every live entity, packed. Its order depends only on the calls made so far.
     std::span<const Entity> entities() const { return alive_; }
 
+    EntityIds ids() const;
+
+    /// Only when nothing is alive or reserved.
+    void restore(const EntityIds& ids);
+
 private:
     static constexpr std::uint32_t no_row = 0xffff'ffffu;
 
@@ -47,4 +62,5 @@ private:
     std::vector<Entity> alive_;
 };
 
-} // namespace hachure::detail
+} // namespace detail
+} // namespace hachure

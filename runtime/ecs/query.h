@@ -16,9 +16,9 @@
 namespace hachure {
 
 namespace detail {
-/// The parts of a world that a query reads. Stores is `StoreTable`, const for a constant world.
-template <class Stores> struct QuerySource {
-    Stores* stores;
+/// The parts of a world that a query works on.
+struct QuerySource {
+    StoreTable* stores;
     const EntityTable* entities;
     IterationLock* lock;
     const Tick* now;
@@ -36,7 +36,7 @@ template <class Stores> struct QuerySource {
 /// While a query is walked, creating and destroying entities and adding and removing components asserts: queue such
 /// changes in `Commands`. Writing components, and replacing one by `World::add`, are allowed. A query is a light value;
 /// it may be kept and walked again, as long as the world neither dies nor moves. Walking allocates nothing.
-template <class Stores, class... Terms> class Query {
+template <class... Terms> class Query {
 public:
     /// What a visit gives.
     using Item = decltype(std::tuple_cat(std::declval<std::tuple<Entity>>(),
@@ -44,7 +44,10 @@ public:
 
     class Iterator;
 
-    explicit Query(detail::QuerySource<Stores> source) : source_(source) {}
+    /// Whether a walk writes any component.
+    static constexpr bool writes = (detail::Term<Terms>::writes || ...);
+
+    explicit Query(detail::QuerySource source) : source_(source) {}
 
     Iterator begin() const { return Iterator(source_, filters_); }
     std::default_sentinel_t end() const { return {}; }
@@ -97,18 +100,18 @@ private:
         return result;
     }
 
-    detail::QuerySource<Stores> source_;
+    detail::QuerySource source_;
     detail::ChangeFilters filters_;
 };
 
 /// A walk over a query: an input iterator that keeps the world's structure locked while it lives. Dereferencing is the
 /// visit that marks written components changed.
-template <class Stores, class... Terms> class Query<Stores, Terms...>::Iterator {
+template <class... Terms> class Query<Terms...>::Iterator {
 public:
     using value_type = Item;
     using difference_type = std::ptrdiff_t;
 
-    Iterator(const detail::QuerySource<Stores>& source, const detail::ChangeFilters& filters)
+    Iterator(const detail::QuerySource& source, const detail::ChangeFilters& filters)
         : terms_(detail::Term<Terms>(*source.stores)...), filters_(filters), now_(*source.now), guard_(*source.lock) {
         detail::DriverChoice choice;
         std::apply([&choice](const auto&... term) { (term.choose(choice), ...); }, terms_);

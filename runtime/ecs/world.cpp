@@ -29,6 +29,22 @@ bool World::destroy(Entity entity) {
     return true;
 }
 
+void World::destroy_many(std::span<const Entity> entities) {
+    for (const Entity entity : entities) destroy(entity);
+}
+
+void World::clear() {
+    const auto live = entities_->entities();
+    destroy_many(std::vector<Entity>(live.begin(), live.end()));
+}
+
+EntityIds World::entity_ids() const { return entities_->ids(); }
+
+void World::restore_entities(const EntityIds& ids) {
+    clear();
+    entities_->restore(ids);
+}
+
 void World::erase_components(Entity entity) {
     for (const auto& store : stores_.all())
         if (store) store->erase(entity, tick_);

@@ -48,8 +48,30 @@ public:
     /// Creates an entity with these components.
     template <Component... C> Entity create_with(C... components);
 
+    /// Creates `count` entities with these components; each starts as a copy of the one given.
+    template <Component... C> std::vector<Entity> create_many(std::size_t count, const C&... components);
+
+    /// Creates `count` entities with default-constructed C..., and calls `init(i, entity, C&...)` for each, i from 0.
+    template <Component... C, class F> void create_each(std::size_t count, F&& init);
+
     /// Destroys an entity with all its descendants; false when it is dead already.
     bool destroy(Entity entity);
+
+    /// Destroys those that are alive, with their descendants.
+    void destroy_many(std::span<const Entity> entities);
+
+    /// Destroys all entities that the query matches, with their descendants.
+    template <class... Terms> void destroy_matching(const Query<Terms...>& query);
+
+    /// Destroys all entities.
+    void clear();
+
+    /// Which handles are alive and which come next.
+    EntityIds entity_ids() const;
+
+    /// Destroys all entities, then makes exactly those of `ids` alive, without components; later creations give the
+    /// same handles as in the world that `ids` came from.
+    void restore_entities(const EntityIds& ids);
 
     bool alive(Entity entity) const { return entities_->alive(entity); }
 
@@ -85,11 +107,10 @@ public:
 
     // Queries; see `Query`. A constant world offers the terms that only read.
 
-    template <class... Terms> auto query() { return Query<detail::StoreTable, Terms...>(source()); }
+    template <class... Terms> Query<Terms...> query() { return Query<Terms...>(source()); }
     template <class... Terms>
-    requires(!detail::Term<Terms>::writes && ...) auto query() const {
-        return Query<const detail::StoreTable, Terms...>(source());
-    }
+    requires(!detail::Term<Terms>::writes && ...) Query<Terms...> query()
+    const { return Query<Terms...>(source()); }
 
     // Change ticks; see `Tick`.
 
@@ -170,8 +191,8 @@ public:
 private:
     friend class Commands;
 
-    detail::QuerySource<detail::StoreTable> source() { return {&stores_, entities_.get(), &lock_, &tick_}; }
-    detail::QuerySource<const detail::StoreTable> source() const { return {&stores_, entities_.get(), &lock_, &tick_}; }
+    /// Of a constant world, too: there `query` lets only terms through that read.
+    detail::QuerySource source() const { return {&stores_, entities_.get(), &lock_, &tick_}; }
 
     void require_alive(Entity entity) const;
     [[noreturn]] void throw_missing(Entity entity, std::string_view component) const;
@@ -184,7 +205,7 @@ private:
 
     // Shared with queues, which reserve ids in it.
     std::shared_ptr<detail::EntityTable> entities_;
-    detail::StoreTable stores_;
+    mutable detail::StoreTable stores_;
     detail::Resources resources_;
     std::unique_ptr<Commands> commands_;
     Tick tick_ = 1;

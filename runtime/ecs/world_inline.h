@@ -14,6 +14,26 @@ template <Component... C> Entity World::create_with(C... components) {
     return entity;
 }
 
+template <Component... C> std::vector<Entity> World::create_many(std::size_t count, const C&... components) {
+    std::vector<Entity> result;
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) result.push_back(create_with<C...>(components...));
+    return result;
+}
+
+template <Component... C, class F> void World::create_each(std::size_t count, F&& init) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Entity entity = create_with<C...>(C{}...);
+        init(i, entity, *find_mutable<C>(entity)...);
+    }
+}
+
+template <class... Terms> void World::destroy_matching(const Query<Terms...>& query) {
+    std::vector<Entity> matches;
+    for (auto it = query.begin(); it != query.end(); ++it) matches.push_back(it.entity());
+    destroy_many(matches);
+}
+
 template <class C> C& World::assign(Entity entity, C value) {
     auto& store = stores_.ensure<C>();
     const std::uint32_t row = store.row(entity);
