@@ -3,7 +3,7 @@
 
 namespace hachure {
 
-Commands::Commands(World& world) : entities_(world.entities_) {}
+Commands::Commands(World& world) : entities_(world.store_->shared_ids()) {}
 
 Commands& Commands::operator=(Commands&& other) noexcept {
     if (this != &other) {
@@ -24,9 +24,9 @@ Entity Commands::create() {
 }
 
 void Commands::apply(World& world) {
-    HACHURE_ASSERT(entities_ == world.entities_, "commands are applied to the world they were made for");
+    HACHURE_ASSERT(entities_ == world.store_->shared_ids(), "commands are applied to the world they were made for");
     if (queued_.empty()) return;
-    world.lock_.assert_idle();
+    world.store_->lock().assert_idle();
 
     struct ClearAtEnd {
         Commands& commands;
@@ -36,7 +36,7 @@ void Commands::apply(World& world) {
 }
 
 void Commands::execute(World& world, const Command& command) {
-    if (command.action == Action::create) return entities_->activate(command.entity);
+    if (command.action == Action::create) return world.revive(command.entity);
     if (!world.alive(command.entity)) return;
     switch (command.action) {
     case Action::create:

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <hachure/runtime/ecs/entity.h>
+#include <hachure/runtime/ecs/location.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace hachure {
@@ -11,55 +12,78 @@ namespace hachure {
 /// The handles of a world: enough to make another world give out the same ones. A slot that is not in `free` and whose
 /// generation is not used up (2^32 - 1) is alive.
 struct EntityIds {
-    std::vector<std::uint32_t>
-        generations;                 ///< by slot: of the entity that lives there, or of the next one to live there
-    std::vector<std::uint32_t> free; ///< slots to be given out, the last one first
+    std::vector<std::uint32_t> generations; ///< by slot: of the entity that lives there, or of the next to live there
+    std::vector<std::uint32_t> free;        ///< slots to be given out, the last one first
 };
 
 namespace detail {
 
-/// Which entities of a world live. An id is free, then reserved (given out, not yet alive), then alive, then free again
-/// with the next generation.
+/// Which entities of a world live, and where their rows are. An id is free, then reserved (given out, not yet alive),
+/// then alive, then free again with the next generation.
 class EntityTable {
 public:
     /// A fresh id. It is not alive until `activate`.
-    Entity reserve();
+    Entity reserve() {
+        if (next_free_ == none) return append();
+        const std::uint32_t index = next_free_;
+        next_free_ = slots_[index].state & index_mask;
+        slots_[index].state = reserved_state;
+        return {index, slots_[index].generation};
+    }
 
-    /// Makes a reserved id alive.
-    void activate(Entity entity);
+    /// Makes a reserved id alive, with its row at `at`.
+    void activate(Entity entity, Location at);
+
+    /// The entity's row moved.
+    void move(Entity entity, Location at) { slots_[entity.index].state = at.packed(); }
 
     /// Ends a reserved or live id; handles to it are dead from now on.
     void release(Entity entity);
 
-    bool alive(Entity entity) const {
-        return entity.index < slots_.size() && slots_[entity.index].generation == entity.generation &&
-               slots_[entity.index].row != no_row;
+    /// The row of an entity; nowhere when it is not alive.
+    Location find(Entity entity) const {
+        if (entity.index >= slots_.size() || slots_[entity.index].generation != entity.generation) return {};
+        return Location::unpack(slots_[entity.index].state);
     }
+
+    bool alive(Entity entity) const { return static_cast<bool>(find(entity)); }
 
     bool reserved(Entity entity) const {
         return entity.index < slots_.size() && slots_[entity.index].generation == entity.generation &&
-               slots_[entity.index].row == no_row;
+               slots_[entity.index].state == reserved_state;
     }
 
-    /// Every live entity, packed. Its order depends only on the calls made so far.
-    std::span<const Entity> entities() const { return alive_; }
+    /// How many are alive.
+    std::size_t alive_count() const { return alive_; }
 
+    /// An id that is reserved counts as alive.
     EntityIds ids() const;
 
-    /// Only when nothing is alive or reserved.
-    void restore(const EntityIds& ids);
+    /// Only when nothing is alive or reserved. Afterwards the slots that `ids` says are alive are reserved: `f(Entity)`
+    /// is called for each in order, and activates it.
+    template <class F> void restore(const EntityIds& ids, F&& f) {
+        for (const Entity entity : reset(ids)) f(entity);
+    }
 
 private:
-    static constexpr std::uint32_t no_row = 0xffff'ffffu;
+    // A slot's state is its location's number while alive; otherwise the highest bit is set, and the others are the
+    // next free slot, or all set for a reserved one. `none` ends the list of free slots.
+    static constexpr std::uint32_t dead_bit = 0x8000'0000u;
+    static constexpr std::uint32_t index_mask = 0x7fff'ffffu;
+    static constexpr std::uint32_t reserved_state = 0xffff'ffffu;
+    static constexpr std::uint32_t none = 0x7fff'fffeu;
 
     struct Slot {
         std::uint32_t generation;
-        std::uint32_t row; ///< where in alive_; no_row when reserved or free
+        std::uint32_t state;
     };
 
+    Entity append();
+    std::vector<Entity> reset(const EntityIds& ids);
+
     std::vector<Slot> slots_;
-    std::vector<std::uint32_t> free_;
-    std::vector<Entity> alive_;
+    std::uint32_t next_free_ = none;
+    std::size_t alive_ = 0;
 };
 
 } // namespace detail

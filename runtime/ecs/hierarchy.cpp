@@ -38,34 +38,33 @@ void World::set_parent(Entity child, Entity parent) {
         if (ancestor == child) throw HierarchyCycle(child, parent);
     if (this->parent(child) == parent) return;
 
-    lock_.assert_idle();
+    store_->lock().assert_idle();
     detach(child);
     assign<Parent>(child, Parent{parent});
-    auto& store = stores_.ensure<Children>();
-    if (const std::uint32_t row = store.row(parent); row != detail::no_row) {
-        store.value(row).entities.push_back(child);
-        store.mark_changed(row, tick_);
+    detail::Location at;
+    if (Children* children = store_->find<Children>(parent, at)) {
+        children->entities.push_back(child);
+        store_->mark(detail::component_id<Children>(), parent, at, tick());
     } else {
-        store.insert(parent, Children{{child}}, tick_);
+        assign<Children>(parent, Children{{child}});
     }
 }
 
 void World::clear_parent(Entity child) {
     if (!parent(child)) return;
-    lock_.assert_idle();
+    store_->lock().assert_idle();
     detach(child);
-    stores_.ensure<Parent>().erase(child, tick_);
+    erase<Parent>(child);
 }
 
 void World::detach(Entity child) {
     const Entity old_parent = parent(child);
     if (!old_parent) return;
-    auto& store = stores_.ensure<Children>();
-    const std::uint32_t row = store.row(old_parent);
-    auto& siblings = store.value(row).entities;
+    detail::Location at;
+    auto& siblings = store_->find<Children>(old_parent, at)->entities;
     siblings.erase(std::find(siblings.begin(), siblings.end(), child));
-    store.mark_changed(row, tick_);
-    if (siblings.empty()) store.erase(old_parent, tick_);
+    store_->mark(detail::component_id<Children>(), old_parent, at, tick());
+    if (siblings.empty()) erase<Children>(old_parent);
 }
 
 } // namespace hachure

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hachure/runtime/ecs/entity.h>
+#include <hachure/runtime/ecs/entity_map.h>
 
 #include <vector>
 
@@ -17,6 +18,11 @@ struct Parent {
 struct Children {
     std::vector<Entity> entities; ///< in order of insertion
 };
+
+inline void remap_entities(Parent& parent, const EntityMap& copies) { parent.entity = copies(parent.entity); }
+inline void remap_entities(Children& children, const EntityMap& copies) {
+    for (Entity& child : children.entities) child = copies(child);
+}
 
 namespace detail {
 /// Components that only the world itself writes, because two of them must agree.

@@ -1,56 +1,29 @@
 #pragma once
 
 #include <hachure/runtime/assert.h>
-#include <hachure/runtime/ecs/query_terms.h>
+#include <hachure/runtime/ecs/entity_store.h>
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 namespace hachure::detail {
 
 /// Keeps the entities of which one of a few components was changed (or added) after a tick.
-class ChangeFilter {
-public:
+struct ChangeFilter {
     static constexpr std::size_t max_components = 6;
     enum class Event { changed, added };
 
-    /// For `components.size() <= max_components`.
-    template <std::size_t n> void set(Event event, Tick since, const std::array<TypeId, n>& components) {
-        static_assert(n >= 1 && n <= max_components, "a filter names 1 to 6 components");
-        event_ = event;
-        since_ = since;
-        ids_count_ = n;
-        for (std::size_t i = 0; i < n; ++i) ids_[i] = components[i];
-    }
+    Event event = Event::changed;
+    Tick since = 0;
+    std::size_t count = 0;
+    std::array<TypeId, max_components> ids{};
 
-    /// Looks the stores up. Those without news are left out, which often leaves nothing to walk at all.
-    void choose(const StoreTable& stores, DriverChoice& choice) {
-        stores_count_ = 0;
-        for (std::size_t i = 0; i < ids_count_; ++i) {
-            const StoreBase* store = stores.find(ids_[i]);
-            if (store && store->last_changed() > since_) stores_[stores_count_++] = store;
-        }
-        if (stores_count_ == 0) choice.impossible = true;
-        if (stores_count_ == 1) choice.require(stores_[0]);
-    }
+    std::span<const TypeId> components() const { return {ids.data(), count}; }
 
-    bool match(const Visit& visit) const {
-        for (std::size_t i = 0; i < stores_count_; ++i) {
-            const std::uint32_t row = visit.row_in(*stores_[i]);
-            if (row == no_row) continue;
-            const Tick tick = event_ == Event::changed ? stores_[i]->changed(row) : stores_[i]->added(row);
-            if (tick > since_) return true;
-        }
-        return false;
-    }
-
-private:
-    Event event_ = Event::changed;
-    Tick since_ = 0;
-    std::size_t ids_count_ = 0;
-    std::size_t stores_count_ = 0;
-    std::array<TypeId, max_components> ids_{};
-    std::array<const StoreBase*, max_components> stores_{};
+    /// Whether one entity passes.
+    bool passes(const EntityStore& store, Entity entity) const;
 };
 
 /// The filters of a query; all of them must agree.
@@ -58,24 +31,70 @@ class ChangeFilters {
 public:
     static constexpr std::size_t max_filters = 4;
 
-    ChangeFilter& append() {
+    bool empty() const { return count_ == 0; }
+    std::span<const ChangeFilter> all() const { return {filters_.data(), count_}; }
+
+    template <std::size_t n> void add(ChangeFilter::Event event, Tick since, const std::array<TypeId, n>& components) {
+        static_assert(n >= 1 && n <= ChangeFilter::max_components, "a filter names 1 to 6 components");
         HACHURE_ASSERT(count_ < max_filters, "a query has at most 4 change filters");
-        return filters_[count_++];
-    }
-
-    void choose(const StoreTable& stores, DriverChoice& choice) {
-        for (std::size_t i = 0; i < count_; ++i) filters_[i].choose(stores, choice);
-    }
-
-    bool match(const Visit& visit) const {
-        for (std::size_t i = 0; i < count_; ++i)
-            if (!filters_[i].match(visit)) return false;
-        return true;
+        ChangeFilter& filter = filters_[count_++];
+        filter.event = event;
+        filter.since = since;
+        filter.count = n;
+        for (std::size_t i = 0; i < n; ++i) filter.ids[i] = components[i];
     }
 
 private:
     std::size_t count_ = 0;
-    std::array<ChangeFilter, max_filters> filters_;
+    std::array<ChangeFilter, max_filters> filters_{};
+};
+
+/// How a walk finds changed entities. `automatic` takes the cheaper way; the others are for measuring and testing.
+enum class ChangeWalk { automatic, queue, sweep };
+
+/// The part of a walk that has a list of candidates or filters; kept by the world from one walk to the next, so that
+/// walking allocates nothing in the long run.
+class FilteredWalk {
+public:
+    /// Begins a walk over `rows` rows in all. False when no entity can have passed the filters.
+    bool begin(EntityStore& store, const ChangeFilters& filters, std::size_t rows, ChangeWalk how);
+
+    /// Walks only the entities of a sparse store, unless there is a shorter list already.
+    void restrict_to(const SparseStore& store);
+
+    /// Whether only `candidates` are walked.
+    bool listed() const { return listed_; }
+    std::span<const Entity> candidates() const { return candidates_; }
+
+    bool filtered() const { return count_ > 0; }
+
+    /// Goes to a chunk; false when no row of it can pass.
+    bool enter(const Table& table, std::uint32_t chunk, const ChunkDirectory& chunks);
+
+    /// The first row of the chunk from `row` on, below `rows`, that passes all filters; `rows` when there is none.
+    std::uint32_t next(const Entity* entities, std::uint32_t row, std::uint32_t rows) const;
+
+private:
+    /// One component of a filter in the chunk.
+    struct Watched {
+        TypeId id;
+        const SparseStore* sparse; ///< of a sparse component
+        const ColumnTicks* ticks;  ///< of one in tables; null where the table lacks it or nothing is new
+    };
+    struct Filter {
+        ChangeFilter::Event event;
+        Tick since;
+        std::size_t count;
+        std::array<Watched, ChangeFilter::max_components> watched;
+    };
+
+    static bool passes(const Filter& filter, Entity entity, std::uint32_t row);
+    void list_changes(EntityStore& store, const ChangeFilter& filter);
+
+    bool listed_ = false;
+    std::vector<Entity> candidates_;
+    std::size_t count_ = 0;
+    std::array<Filter, ChangeFilters::max_filters> filters_;
 };
 
 } // namespace hachure::detail

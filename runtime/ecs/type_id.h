@@ -9,7 +9,7 @@ namespace hachure::detail {
 using TypeId = std::uint32_t;
 
 /// The numbers of component types and of resource types are counted apart, so that tables indexed by them stay small.
-enum class TypeFamily { component, resource };
+enum class TypeFamily { component, resource, bundle, query };
 
 TypeId next_type_id(TypeFamily family);
 

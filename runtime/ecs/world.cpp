@@ -1,64 +1,117 @@
 #include <hachure/runtime/ecs/commands.h>
 #include <hachure/runtime/ecs/world.h>
 
+#include <algorithm>
+
 namespace hachure {
 
-World::World() : entities_(std::make_shared<detail::EntityTable>()), commands_(std::make_unique<Commands>(*this)) {}
-World::World(World&&) noexcept = default;
-World& World::operator=(World&&) noexcept = default;
+World::World() : store_(std::make_unique<detail::EntityStore>()), commands_(std::make_unique<Commands>(*this)) {}
+World::World(World&& other) noexcept
+    : store_((other.store_->lock().assert_idle(), std::move(other.store_))), resources_(std::move(other.resources_)),
+      commands_(std::move(other.commands_)), observed_(other.observed_) {}
+World& World::operator=(World&& other) noexcept {
+    if (store_) store_->lock().assert_idle();
+    if (other.store_) other.store_->lock().assert_idle();
+    store_ = std::move(other.store_);
+    resources_ = std::move(other.resources_);
+    commands_ = std::move(other.commands_);
+    observed_ = other.observed_;
+    return *this;
+}
 World::~World() = default;
 
 Entity World::create() {
-    lock_.assert_idle();
-    const Entity entity = entities_->reserve();
-    entities_->activate(entity);
-    return entity;
+    store_->lock().assert_idle();
+    return store_->create(store_->empty_table());
 }
 
+void World::revive(Entity reserved) { store_->ids().activate(reserved, store_->empty_table().append(reserved)); }
+
 bool World::destroy(Entity entity) {
-    if (!alive(entity)) return false;
-    lock_.assert_idle();
-    detach(entity);
-    const std::vector<Entity> below = descendants(entity);
-    erase_components(entity);
-    entities_->release(entity);
-    for (const Entity descendant : below) {
-        erase_components(descendant);
-        entities_->release(descendant);
+    const detail::Location at = store_->ids().find(entity);
+    if (!at) return false;
+    store_->lock().assert_idle();
+    const detail::Table& table = store_->table_of(at);
+    const bool has_children = table.has(detail::component_id<Children>());
+    if (!has_children && !table.has(detail::component_id<Parent>())) {
+        destroy_one(entity);
+        return true;
     }
+    detach(entity);
+    const std::vector<Entity> below = has_children ? descendants(entity) : std::vector<Entity>{};
+    destroy_one(entity);
+    for (const Entity descendant : below) destroy_one(descendant);
     return true;
 }
 
+void World::destroy_one(Entity entity) {
+    if (observed_) notify_removed(entity);
+    store_->destroy(entity);
+}
+
 void World::destroy_many(std::span<const Entity> entities) {
-    for (const Entity entity : entities) destroy(entity);
+    // From the last on: entities that stand in order of creation then go without moving others.
+    for (auto entity = entities.rbegin(); entity != entities.rend(); ++entity) destroy(*entity);
+}
+
+void World::destroy_tables(const std::vector<detail::Table*>& tables) {
+    store_->lock().assert_idle();
+    const auto in_tree = [](const detail::Table* table) {
+        return table->has(detail::component_id<Children>()) || table->has(detail::component_id<Parent>());
+    };
+    for (detail::Table* table : tables) {
+        if (!observed_ && !in_tree(table)) {
+            store_->destroy_all(*table);
+            continue;
+        }
+        std::vector<Entity> entities;
+        for (std::size_t i = 0; i < table->chunks().size(); ++i) {
+            const Entity* first = table->entities(table->chunks()[i]);
+            entities.insert(entities.end(), first, first + table->rows(i));
+        }
+        destroy_many(entities);
+    }
 }
 
 void World::clear() {
-    const auto live = entities_->entities();
-    destroy_many(std::vector<Entity>(live.begin(), live.end()));
+    store_->lock().assert_idle();
+    for (const auto& table : store_->tables()) {
+        if (observed_)
+            for (std::size_t i = 0; i < table->chunks().size(); ++i)
+                for (const Entity entity : std::span(table->entities(table->chunks()[i]), table->rows(i)))
+                    notify_removed(entity);
+        store_->destroy_all(*table);
+    }
 }
 
-EntityIds World::entity_ids() const { return entities_->ids(); }
+EntityIds World::entity_ids() const { return store_->ids().ids(); }
 
 void World::restore_entities(const EntityIds& ids) {
     clear();
-    entities_->restore(ids);
+    store_->ids().restore(ids, [this](Entity entity) { revive(entity); });
 }
 
-void World::erase_components(Entity entity) {
-    for (const auto& store : stores_.all())
-        if (store) store->erase(entity, tick_);
+void World::notify(const std::vector<detail::Observer>& observers, Entity entity) {
+    const detail::IterationLock::Guard guard(store_->lock());
+    // By number: an observer may add observers.
+    for (std::size_t i = 0; i < observers.size(); ++i) observers[i](*this, entity);
+}
+
+void World::notify_added(Entity entity) {
+    for (detail::ComponentRecord* component : store_->observed_components(entity)) notify(component->added, entity);
+}
+
+void World::notify_removed(Entity entity) {
+    for (detail::ComponentRecord* component : store_->observed_components(entity)) notify(component->removed, entity);
 }
 
 Tick World::advance_tick() {
-    lock_.assert_idle();
-    return ++tick_;
+    store_->lock().assert_idle();
+    store_->advance_tick();
+    return tick();
 }
 
-void World::forget_removed_before(Tick tick) {
-    for (const auto& store : stores_.all())
-        if (store) store->forget_removed_before(tick);
-}
+void World::forget_removed_before(Tick tick) { store_->removals().forget_before(tick); }
 
 void World::apply_commands() { commands_->apply(*this); }
 

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <hachure/runtime/ecs/component_store.h>
 #include <hachure/runtime/ecs/ecs_error.h>
 #include <hachure/runtime/ecs/entity.h>
-#include <hachure/runtime/ecs/entity_table.h>
+#include <hachure/runtime/ecs/entity_map.h>
+#include <hachure/runtime/ecs/entity_store.h>
 #include <hachure/runtime/ecs/hierarchy.h>
-#include <hachure/runtime/ecs/iteration_lock.h>
 #include <hachure/runtime/ecs/query.h>
 #include <hachure/runtime/ecs/resources.h>
+#include <hachure/runtime/ecs/storage.h>
 #include <hachure/runtime/ecs/tick.h>
 
-#include <concepts>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <type_traits>
@@ -20,10 +20,6 @@
 namespace hachure {
 
 class Commands;
-
-/// What an entity can carry: a movable struct or class.
-template <class C>
-concept Component = std::is_class_v<C> && std::movable<C> && std::same_as<C, std::remove_cvref_t<C>>;
 
 /// Entities, their components, their tree, and one resource per type.
 ///
@@ -73,10 +69,18 @@ public:
     /// same handles as in the world that `ids` came from.
     void restore_entities(const EntityIds& ids);
 
-    bool alive(Entity entity) const { return entities_->alive(entity); }
+    bool alive(Entity entity) const { return store_->ids().alive(entity); }
+
+    /// Copies `prefab` with all its descendants: their components (those that can be copied), their tree, and none of
+    /// their ties to the outside; the copy of `prefab` is a root. A component that refers to entities says how it
+    /// follows to the copies: see `EntityMap`. Returns the copy of `prefab`. Throws DeadEntity.
+    Entity instantiate(Entity prefab);
+
+    /// The same `count` times.
+    std::vector<Entity> instantiate_many(Entity prefab, std::size_t count);
 
     /// How many entities are alive.
-    std::size_t size() const { return entities_->entities().size(); }
+    std::size_t size() const { return store_->ids().alive_count(); }
 
     // Components. Throw DeadEntity and MissingComponent where a live entity, or one that has C, is required.
 
@@ -107,15 +111,14 @@ public:
 
     // Queries; see `Query`. A constant world offers the terms that only read.
 
-    template <class... Terms> Query<Terms...> query() { return Query<Terms...>(source()); }
+    template <class... Terms> Query<Terms...> query() { return Query<Terms...>(*store_); }
     template <class... Terms>
-    requires(!detail::Term<Terms>::writes && ...) Query<Terms...> query()
-    const { return Query<Terms...>(source()); }
+    requires(!detail::Term<Terms>::writes && ...) auto query() const { return Query<Terms...>(*store_); }
 
     // Change ticks; see `Tick`.
 
     /// The current tick; 1 in a new world.
-    Tick tick() const { return tick_; }
+    Tick tick() const { return store_->tick(); }
 
     /// Begins the next tick and returns it. Not while a query is walked.
     Tick advance_tick();
@@ -130,8 +133,8 @@ public:
     template <Component C> bool changed_since(Entity entity, Tick since) const;
 
     /// The entities that lost C after tick `since`, by removal or by being destroyed, in order of time; once per loss.
-    /// They may be dead, or have a C again. Holds until the next structural change or `forget_removed_before`.
-    template <Component C> std::span<const Entity> removed_since(Tick since) const;
+    /// They may be dead, or have a C again.
+    template <Component C> std::vector<Entity> removed_since(Tick since) const;
 
     /// Forgets removals made before `tick`. Without it the memory of removals grows; `Schedule::run` calls it.
     void forget_removed_before(Tick tick);
@@ -139,6 +142,16 @@ public:
     /// When any C of any entity was last added, changed or removed; 0 for never. Constant time: a system compares it
     /// with the tick in which it last ran and skips all its work.
     template <Component C> Tick last_changed() const;
+
+    // Observers: functions that are told at once what others learn from ticks. They may read and write components and
+    // queue commands; changing the structure asserts.
+
+    /// Calls `f(world, entity)` whenever an entity has got a C, with the value in place.
+    template <Component C> void on_add(std::function<void(World&, Entity)> f);
+
+    /// Calls `f(world, entity)` whenever an entity is about to lose a C, by removal or by being destroyed, with the
+    /// value still there. Not at the end of the world.
+    template <Component C> void on_remove(std::function<void(World&, Entity)> f);
 
     // The tree. `Parent` and `Children` can be queried as any component.
 
@@ -188,28 +201,34 @@ public:
     /// Applies and empties the world's own queue; see `Commands::apply`.
     void apply_commands();
 
+    /// For systems: as `query`, marking what is written in tick `now`.
+    template <class... Terms> Query<Terms...> query_at(Tick now) { return Query<Terms...>(*store_, now); }
+
 private:
     friend class Commands;
-
-    /// Of a constant world, too: there `query` lets only terms through that read.
-    detail::QuerySource source() const { return {&stores_, entities_.get(), &lock_, &tick_}; }
 
     void require_alive(Entity entity) const;
     [[noreturn]] void throw_missing(Entity entity, std::string_view component) const;
 
     /// Unchecked: neither whether the world itself manages C, nor whether the entity lives.
     template <class C> C& assign(Entity entity, C value);
+    template <class C> bool erase(Entity entity);
+    template <class C> C& write(Entity entity);
+    template <class... C, class F> void create_rows(std::size_t count, F&& init);
 
-    void erase_components(Entity entity);
+    void notify(const std::vector<detail::Observer>& observers, Entity entity);
+    void notify_added(Entity entity);
+    void notify_removed(Entity entity);
+    void destroy_one(Entity entity);
+    void destroy_tables(const std::vector<detail::Table*>& tables);
+    void revive(Entity reserved);
     void detach(Entity child);
+    Entity copy_entity(Entity from, bool with_tree);
 
-    // Shared with queues, which reserve ids in it.
-    std::shared_ptr<detail::EntityTable> entities_;
-    mutable detail::StoreTable stores_;
+    std::unique_ptr<detail::EntityStore> store_;
     detail::Resources resources_;
     std::unique_ptr<Commands> commands_;
-    Tick tick_ = 1;
-    mutable detail::IterationLock lock_;
+    bool observed_ = false; ///< there are observers
 };
 
 } // namespace hachure

@@ -4,46 +4,104 @@
 
 #include <hachure/runtime/ecs/world.h>
 
+#include <concepts>
 #include <utility>
 
 namespace hachure {
 
 template <Component... C> Entity World::create_with(C... components) {
-    const Entity entity = create();
-    (add<C>(entity, std::move(components)), ...);
+    static_assert((!detail::managed_by_world<C> && ...),
+                  "Parent and Children change through set_parent and clear_parent");
+    store_->lock().assert_idle();
+    const Entity entity = store_->create(store_->table_for<C...>());
+    const detail::Location row = store_->ids().find(entity);
+    (store_->emplace<C>(entity, row, std::move(components)), ...);
+    if (observed_) notify_added(entity);
     return entity;
 }
 
 template <Component... C> std::vector<Entity> World::create_many(std::size_t count, const C&... components) {
     std::vector<Entity> result;
     result.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) result.push_back(create_with<C...>(components...));
+    create_rows<C...>(count, [&](std::size_t, Entity entity, C*... places) {
+        (new (places) C(components), ...);
+        result.push_back(entity);
+    });
     return result;
 }
 
 template <Component... C, class F> void World::create_each(std::size_t count, F&& init) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const Entity entity = create_with<C...>(C{}...);
-        init(i, entity, *find_mutable<C>(entity)...);
+    create_rows<C...>(count,
+                      [&init](std::size_t i, Entity entity, C*... places) { init(i, entity, *new (places) C{}...); });
+}
+
+template <class... C, class F> void World::create_rows(std::size_t count, F&& init) {
+    static_assert((!detail::managed_by_world<C> && ...),
+                  "Parent and Children change through set_parent and clear_parent");
+    store_->lock().assert_idle();
+    const Tick now = tick();
+    detail::EntityStore& store = *store_;
+    if constexpr ((detail::is_sparse<C> || ...)) {
+        for (std::size_t i = 0; i < count; ++i) {
+            // Raw memory for each component, filled as in a table, then moved to where it belongs.
+            std::tuple<detail::Raw<C>...> raw;
+            const Entity entity = store.create(store.table_for<C...>());
+            init(i, entity, std::get<detail::Raw<C>>(raw).place()...);
+            const detail::Location row = store.ids().find(entity);
+            (store.emplace<C>(entity, row, std::move(*std::get<detail::Raw<C>>(raw).place())), ...);
+            (std::destroy_at(std::get<detail::Raw<C>>(raw).place()), ...);
+            if (observed_) notify_added(entity);
+        }
+    } else {
+        detail::Table& table = store.table_for<C...>();
+        for (std::size_t done = 0; done < count;) {
+            const auto rows = store.create_rows(table, count - done, now);
+            const auto& chunk = store.chunks()[rows.first.chunk()];
+            const Entity* entities = table.entities(rows.first.chunk()) + rows.first.row();
+            const auto fill = [&](C*... columns) {
+                for (std::uint32_t i = 0; i < rows.count; ++i) init(done + i, entities[i], detail::step(columns, i)...);
+            };
+            fill(detail::step(reinterpret_cast<C*>(chunk.data + table.find(detail::component_id<C>()).offset),
+                              rows.first.row())...);
+            for (std::uint32_t i = 0; observed_ && i < rows.count; ++i) notify_added(entities[i]);
+            done += rows.count;
+        }
     }
 }
 
 template <class... Terms> void World::destroy_matching(const Query<Terms...>& query) {
+    if (const auto* tables = query.whole_tables()) return destroy_tables(*tables);
     std::vector<Entity> matches;
     for (auto it = query.begin(); it != query.end(); ++it) matches.push_back(it.entity());
     destroy_many(matches);
 }
 
 template <class C> C& World::assign(Entity entity, C value) {
-    auto& store = stores_.ensure<C>();
-    const std::uint32_t row = store.row(entity);
-    if (row == detail::no_row) {
-        lock_.assert_idle();
-        return store.insert(entity, std::move(value), tick_);
+    detail::EntityStore& store = *store_;
+    detail::Location row = store.ids().find(entity);
+    detail::Location at;
+    if (C* found = store.find_at<C>(entity, row, at)) {
+        *found = std::move(value);
+        store.mark(detail::component_id<C>(), entity, at, store.tick());
+        return *found;
     }
-    store.value(row) = std::move(value);
-    store.mark_changed(row, tick_);
-    return store.value(row);
+    store.lock().assert_idle();
+    detail::ComponentRecord& component = store.record<C>();
+    if constexpr (!detail::is_sparse<C>) row = store.move(entity, row, store.with(store.table_of(row), component));
+    C& result = store.emplace<C>(entity, row, std::move(value));
+    if (!component.added.empty()) notify(component.added, entity);
+    return result;
+}
+
+template <class C> bool World::erase(Entity entity) {
+    const detail::Location row = store_->ids().find(entity);
+    detail::Location at;
+    if (!row || !store_->find_at<C>(entity, row, at)) return false;
+    store_->lock().assert_idle();
+    detail::ComponentRecord& component = store_->record<C>();
+    if (!component.removed.empty()) notify(component.removed, entity);
+    store_->remove(entity, row, component);
+    return true;
 }
 
 template <Component C> C& World::add(Entity entity, C value) {
@@ -54,26 +112,20 @@ template <Component C> C& World::add(Entity entity, C value) {
 
 template <Component C> bool World::remove(Entity entity) {
     static_assert(!detail::managed_by_world<C>, "Parent and Children change through set_parent and clear_parent");
-    if (!has<C>(entity)) return false;
-    lock_.assert_idle();
-    return stores_.find<C>()->erase(entity, tick_);
+    return erase<C>(entity);
 }
 
 template <Component C> const C* World::find(Entity entity) const {
-    const auto* store = stores_.find<C>();
-    if (!store) return nullptr;
-    const std::uint32_t row = store->row(entity);
-    return row != detail::no_row ? &store->value(row) : nullptr;
+    detail::Location at;
+    return store_->find<C>(entity, at);
 }
 
 template <Component C> C* World::find_mutable(Entity entity) {
     static_assert(!detail::managed_by_world<C>, "Parent and Children change through set_parent and clear_parent");
-    auto* store = stores_.find<C>();
-    if (!store) return nullptr;
-    const std::uint32_t row = store->row(entity);
-    if (row == detail::no_row) return nullptr;
-    store->mark_changed(row, tick_);
-    return &store->value(row);
+    detail::Location at;
+    C* found = store_->find<C>(entity, at);
+    if (found) store_->mark(detail::component_id<C>(), entity, at, store_->tick());
+    return found;
 }
 
 template <Component C> const C& World::get(Entity entity) const {
@@ -93,33 +145,38 @@ template <Component C> bool World::set_if_different(Entity entity, const C& valu
 }
 
 template <Component C> Tick World::changed_tick(Entity entity) const {
-    const auto* store = stores_.find<C>();
-    const std::uint32_t row = store ? store->row(entity) : detail::no_row;
-    if (row == detail::no_row) throw_missing(entity, detail::type_name<C>());
-    return store->changed(row);
+    if (!has<C>(entity)) throw_missing(entity, detail::type_name<C>());
+    return store_->changed(detail::component_id<C>(), entity);
 }
 
 template <Component C> Tick World::added_tick(Entity entity) const {
-    const auto* store = stores_.find<C>();
-    const std::uint32_t row = store ? store->row(entity) : detail::no_row;
-    if (row == detail::no_row) throw_missing(entity, detail::type_name<C>());
-    return store->added(row);
+    if (!has<C>(entity)) throw_missing(entity, detail::type_name<C>());
+    return store_->added(detail::component_id<C>(), entity);
 }
 
 template <Component C> bool World::changed_since(Entity entity, Tick since) const {
-    const auto* store = stores_.find<C>();
-    const std::uint32_t row = store ? store->row(entity) : detail::no_row;
-    return row != detail::no_row && store->changed(row) > since;
+    return store_->changed(detail::component_id<C>(), entity) > since;
 }
 
-template <Component C> std::span<const Entity> World::removed_since(Tick since) const {
-    const auto* store = stores_.find<C>();
-    return store ? store->removed_since(since) : std::span<const Entity>{};
+template <Component C> std::vector<Entity> World::removed_since(Tick since) const {
+    return store_->removals().since(detail::component_id<C>(), since);
 }
 
 template <Component C> Tick World::last_changed() const {
-    const auto* store = stores_.find<C>();
-    return store ? store->last_changed() : 0;
+    const auto* component = store_->find_record(detail::component_id<C>());
+    return component ? component->log.last_changed() : 0;
+}
+
+template <Component C> void World::on_add(std::function<void(World&, Entity)> f) {
+    store_->record<C>().added.push_back(std::move(f));
+    observed_ = true;
+    store_->update_observed();
+}
+
+template <Component C> void World::on_remove(std::function<void(World&, Entity)> f) {
+    store_->record<C>().removed.push_back(std::move(f));
+    observed_ = true;
+    store_->update_observed();
 }
 
 template <class T> const T& World::resource() const {

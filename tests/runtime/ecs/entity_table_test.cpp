@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <unordered_set>
 #include <vector>
 
@@ -11,7 +10,7 @@ namespace {
 
 Entity live(detail::EntityTable& table) {
     const Entity entity = table.reserve();
-    table.activate(entity);
+    table.activate(entity, {entity.index, 7});
     return entity;
 }
 
@@ -40,8 +39,9 @@ TEST(EntityTableTest, ReservedIsNotAlive) {
     const Entity entity = table.reserve();
     EXPECT_TRUE(table.reserved(entity));
     EXPECT_FALSE(table.alive(entity));
-    EXPECT_TRUE(table.entities().empty());
-    table.activate(entity);
+    EXPECT_EQ(table.alive_count(), 0u);
+    table.activate(entity, {1, 2});
+    EXPECT_EQ(table.find(entity), (detail::Location{1, 2}));
     EXPECT_FALSE(table.reserved(entity));
     EXPECT_TRUE(table.alive(entity));
 }
@@ -57,16 +57,33 @@ TEST(EntityTableTest, ReusesSlotsWithANewGeneration) {
     EXPECT_TRUE(table.alive(second));
 }
 
-TEST(EntityTableTest, KeepsLiveEntitiesPacked) {
+TEST(EntityTableTest, KnowsWhereTheLivingAre) {
     detail::EntityTable table;
     std::vector<Entity> entities;
     for (int i = 0; i < 10; ++i) entities.push_back(live(table));
     for (const int gone : {0, 9, 4}) table.release(entities[gone]);
-    std::vector<Entity> left(table.entities().begin(), table.entities().end());
-    std::ranges::sort(left);
-    const std::vector<Entity> expected{entities[1], entities[2], entities[3], entities[5],
-                                       entities[6], entities[7], entities[8]};
-    EXPECT_EQ(left, expected);
+    table.move(entities[5], {99, 3});
+    EXPECT_EQ(table.alive_count(), 7u);
+    EXPECT_FALSE(table.find(entities[4]));
+    EXPECT_EQ(table.find(entities[5]), (detail::Location{99, 3}));
+    EXPECT_EQ(table.find(entities[6]), (detail::Location{6, 7}));
+}
+
+TEST(EntityTableTest, RestoredIdsGoOnInTheSameWay) {
+    detail::EntityTable table;
+    std::vector<Entity> entities;
+    for (int i = 0; i < 10; ++i) entities.push_back(live(table));
+    for (const int gone : {2, 7, 3, 3, 7}) {
+        if (!table.alive(entities[gone])) entities[gone] = live(table);
+        table.release(entities[gone]);
+    }
+    detail::EntityTable other;
+    live(other);
+    other.release({0, 1});
+    other.restore(table.ids(), [&](Entity entity) { other.activate(entity, {1, entity.index}); });
+    EXPECT_EQ(other.alive_count(), table.alive_count());
+    for (const Entity entity : entities) EXPECT_EQ(other.alive(entity), table.alive(entity));
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(other.reserve(), table.reserve());
 }
 
 TEST(EntityTableTest, ForeignHandlesAreDead) {
@@ -83,7 +100,7 @@ TEST(EntityTableDeathTest, EndsAnEntityOnce) {
     const Entity entity = live(table);
     table.release(entity);
     EXPECT_DEATH(table.release(entity), "ends once");
-    EXPECT_DEATH(table.activate(entity), "becomes alive");
+    EXPECT_DEATH(table.activate(entity, {0, 0}), "becomes alive");
 }
 
 } // namespace

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <hachure/runtime/ecs/change_log.h>
+#include <hachure/runtime/ecs/component_info.h>
+#include <hachure/runtime/ecs/entity.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace hachure {
+class World;
+}
+
+namespace hachure::detail {
+
+class SparseStore;
+
+using Observer = std::function<void(World&, Entity)>;
+
+/// All that a world has of one component type besides the values in tables. It stays where it is while the world lives.
+struct ComponentRecord {
+    const ComponentInfo* info;
+    ChangeLog log;
+    std::unique_ptr<SparseStore> sparse; ///< of components with sparse storage
+    std::vector<Observer> added;
+    std::vector<Observer> removed;
+
+    explicit ComponentRecord(const ComponentInfo& of);
+    ~ComponentRecord();
+    ComponentRecord(const ComponentRecord&) = delete;
+    ComponentRecord& operator=(const ComponentRecord&) = delete;
+};
+
+} // namespace hachure::detail

@@ -1,0 +1,210 @@
+#pragma once
+
+#include <hachure/runtime/ecs/chunk_directory.h>
+#include <hachure/runtime/ecs/component_record.h>
+#include <hachure/runtime/ecs/entity_table.h>
+#include <hachure/runtime/ecs/iteration_lock.h>
+#include <hachure/runtime/ecs/query_cache.h>
+#include <hachure/runtime/ecs/removal_log.h>
+#include <hachure/runtime/ecs/sparse_store.h>
+#include <hachure/runtime/ecs/table.h>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace hachure::detail {
+
+class FilteredWalk;
+
+/// The entities of a world with their components: rows of tables, one table per set of components, and sparse stores
+/// beside them. It knows nothing of the tree, and checks nothing that `World` has checked.
+class EntityStore {
+public:
+    EntityStore();
+    ~EntityStore();
+    EntityStore(const EntityStore&) = delete;
+    EntityStore& operator=(const EntityStore&) = delete;
+
+    EntityTable& ids() { return *ids_; }
+    const EntityTable& ids() const { return *ids_; }
+
+    /// Shared with queues of commands, which reserve ids.
+    const std::shared_ptr<EntityTable>& shared_ids() const { return ids_; }
+
+    IterationLock& lock() const { return lock_; }
+    Tick tick() const { return tick_; }
+    void advance_tick() { ++tick_; }
+    const ChunkDirectory& chunks() const { return chunks_; }
+
+    // Components.
+
+    /// Null when no entity ever had the component.
+    ComponentRecord* find_record(TypeId id) const { return id < records_.size() ? records_[id].get() : nullptr; }
+
+    /// Made when absent.
+    template <class C> ComponentRecord& record() {
+        ComponentRecord* found = find_record(component_id<C>());
+        return found ? *found : make_record(component_info<C>());
+    }
+
+    /// By component; some are null.
+    std::span<const std::unique_ptr<ComponentRecord>> records() const { return records_; }
+
+    /// The value of C of an entity, or null when it is dead or has none. `at` is where it was found.
+    template <class C> C* find(Entity entity, Location& at) const {
+        const Location row = ids_->find(entity);
+        return row ? find_at<C>(entity, row, at) : nullptr;
+    }
+
+    /// The same for a live entity with its row in the tables.
+    template <class C> C* find_at(Entity entity, Location row, Location& at) const {
+        const TypeId id = component_id<C>();
+        at = row;
+        if constexpr (is_sparse<C>) {
+            const ComponentRecord* component = find_record(id);
+            at = component ? component->sparse->find(entity) : Location{};
+            if (!at) return nullptr;
+        }
+        const auto& chunk = chunks_[at.chunk()];
+        const Table::Slot slot = chunk.table->find(id);
+        if (slot.offset == Table::Slot::none) return nullptr;
+        return reinterpret_cast<C*>(chunk.data + slot.offset + std::size_t{at.row()} * stride_of<C>);
+    }
+
+    /// The ticks of a component of type `id` whose value is in row `at`.
+    ColumnTicks& ticks(TypeId id, Location at) const {
+        return chunks_.ticks(at.chunk())[chunks_[at.chunk()].table->find(id).column];
+    }
+
+    /// Marks the component of type `id`, in row `at`, changed in tick `now`.
+    void mark(TypeId id, Entity entity, Location at, Tick now) const {
+        const Table& table = *chunks_[at.chunk()].table;
+        const Table::Slot slot = table.find(id);
+        if (chunks_.ticks(at.chunk())[slot.column].mark(at.row(), table.capacity(), now))
+            table.columns()[slot.column].component->log.note(entity, now);
+    }
+
+    /// Marks a whole column of a chunk changed.
+    void mark_chunk(const Table& table, std::uint32_t chunk, std::uint32_t column, Tick now) const;
+
+    /// When the component of type `id` of an entity was last changed, or added; 0 when it is dead or has none.
+    Tick changed(TypeId id, Entity entity) const;
+    Tick added(TypeId id, Entity entity) const;
+
+    // Tables.
+
+    std::span<const std::unique_ptr<Table>> tables() const { return tables_; }
+    Table& empty_table() const { return *tables_.front(); }
+    Table& table_of(Location at) const { return *chunks_[at.chunk()].table; }
+
+    /// The table of the components of `table` and one that it lacks, and the one without one that it has.
+    Table& with(Table& table, ComponentRecord& component) {
+        const TypeId id = component.info->id;
+        return id < table.with.size() && table.with[id] ? *table.with[id] : link(table, component);
+    }
+    Table& without(Table& table, ComponentRecord& component) {
+        const TypeId id = component.info->id;
+        return id < table.without.size() && table.without[id] ? *table.without[id] : unlink(table, component);
+    }
+
+    /// The table of those of C... that are kept in tables.
+    template <class... C> Table& table_for() {
+        const TypeId id = type_id<TypeFamily::bundle, void(C...)>();
+        if (id < bundles_.size() && bundles_[id]) return *bundles_[id];
+        return remember_bundle(id, {&record<C>()...});
+    }
+
+    const QueryCache& query_cache(TypeId query, QueryCache::Matches matches) {
+        return query_caches_.get(query, matches, tables_);
+    }
+
+    /// Working memory of a walk, to be given back at its end.
+    FilteredWalk* begin_walk();
+    void end_walk(FilteredWalk* walk);
+
+    // Rows.
+
+    /// A new entity with a row in `table`.
+    Entity create(Table& table) {
+        const Entity entity = ids_->reserve();
+        ids_->activate(entity, table.append(entity));
+        return entity;
+    }
+
+    /// New entities with rows in one chunk of `table`, up to `wanted` of them and at least one; ticks are set. The
+    /// values are the caller's to construct.
+    Table::Rows create_rows(Table& table, std::size_t wanted, Tick now);
+
+    /// A new entity in `to` with copies of the components of `from` that `to` has, and of its sparse ones.
+    Entity copy(Entity from, Table& to);
+
+    /// Lets the components of an entity follow to copies.
+    void remap(Entity entity, const EntityMap& copies);
+
+    /// The components of an entity that have observers.
+    std::vector<ComponentRecord*> observed_components(Entity entity) const;
+
+    /// Constructs the component of an entity that has none, whose row in the tables is `row`, in a column for it.
+    template <class C> C& emplace(Entity entity, Location row, C&& value) {
+        ComponentRecord* component;
+        Location at = row;
+        if constexpr (is_sparse<C>) {
+            component = &record<C>();
+            at = component->sparse->append(entity);
+        }
+        const auto& chunk = chunks_[at.chunk()];
+        const Table::Slot slot = chunk.table->find(component_id<C>());
+        C* place = new (chunk.data + slot.offset + std::size_t{at.row()} * stride_of<C>) C(std::move(value));
+        chunk.table->set_ticks(at, slot.column, tick_, tick_);
+        chunk.table->columns()[slot.column].component->log.note_added(entity, tick_);
+        return *place;
+    }
+
+    /// Takes the entity with the row `from` to another table, with the components that both have; the others of the old
+    /// table are destroyed, those that only the new one has are the caller's to construct. The new row.
+    Location move(Entity entity, Location from, Table& to);
+
+    /// Takes the component off an entity that has it; its row in the tables is `row`.
+    void remove(Entity entity, Location row, ComponentRecord& component);
+
+    /// Ends a live entity with its components.
+    void destroy(Entity entity);
+
+    /// Ends every entity of a table.
+    void destroy_all(Table& table);
+
+    RemovalLog& removals() { return removals_; }
+    const RemovalLog& removals() const { return removals_; }
+
+    /// Sets `Table::observed` of every table; called when observers have come.
+    void update_observed();
+
+private:
+    ComponentRecord& make_record(const ComponentInfo& info);
+    Table& find_table(std::vector<ComponentRecord*> components);
+    Table& link(Table& table, ComponentRecord& component);
+    Table& unlink(Table& table, ComponentRecord& component);
+    Table& remember_bundle(TypeId id, std::vector<ComponentRecord*> components);
+    void erase_sparse(Entity entity);
+    void erase_sparse(Entity entity, Location at, ComponentRecord& component);
+    Location find_component(TypeId id, Entity entity) const;
+    void forget_change(Entity entity, ComponentRecord& component, Tick changed);
+
+    std::shared_ptr<EntityTable> ids_;
+    ChunkDirectory chunks_; // before all tables, which give their chunks back
+    std::vector<std::unique_ptr<ComponentRecord>> records_;
+    std::vector<std::unique_ptr<Table>> tables_; ///< the first is that of no components
+    std::vector<Table*> bundles_;                ///< by type of bundle; some are null
+    std::vector<ComponentRecord*> sparse_;       ///< those with sparse storage
+    RemovalLog removals_;
+    QueryCaches query_caches_;
+    std::vector<std::unique_ptr<FilteredWalk>> walks_; ///< those not in use
+    std::mutex walks_mutex_;
+    mutable IterationLock lock_;
+    Tick tick_ = 1;
+};
+
+} // namespace hachure::detail

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <hachure/runtime/ecs/component_record.h>
+#include <hachure/runtime/ecs/sparse_index.h>
+#include <hachure/runtime/ecs/table.h>
+
+#include <array>
+
+namespace hachure::detail {
+
+/// Every entity that has one component with sparse storage: a table with that one column, and an index into it.
+struct SparseStore {
+    SparseIndex index;
+    Table table;
+
+    SparseStore(ComponentRecord& component, ChunkDirectory& directory) : table(0, std::array{&component}, directory) {}
+
+    /// The row of an entity that is alive, or nowhere.
+    Location find(Entity entity) const { return index.find(entity.index); }
+
+    /// A new row for `entity`, which has none. The value is the caller's to construct.
+    Location append(Entity entity) {
+        const Location at = table.append(entity);
+        index.set(entity.index, at);
+        return at;
+    }
+
+    /// Destroys the value of `entity` at `at` and drops the row.
+    void erase(Entity entity, Location at) {
+        table.destroy_values(at);
+        if (const Entity moved = table.drop_row(at)) index.set(moved.index, at);
+        index.clear(entity.index);
+    }
+};
+
+} // namespace hachure::detail
