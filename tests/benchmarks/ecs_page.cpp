@@ -1,0 +1,59 @@
+#include <hachure/runtime/assets/atomic_file.h>
+#include <hachure/tests/benchmarks/ecs_page.h>
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <string>
+#include <thread>
+
+namespace hachure::bench {
+namespace {
+
+std::string processor() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "an unknown processor";
+}
+
+std::string compiler() {
+#ifdef __clang__
+    return fmt::format("clang {}", __clang_version__);
+#else
+    return fmt::format("g++ {}", __VERSION__);
+#endif
+}
+
+std::string row(const Result& result) {
+    if (!result.limit)
+        return fmt::format("| {} | {:.4g} {} | {:.4g} | | | |\n", result.name, result.best, result.unit, result.median);
+    return fmt::format("| {} | {:.4g} {} | {:.4g} | {:.2f} | {} | {} |\n", result.name, result.best, result.unit,
+                       result.median, result.ratio(), *result.limit,
+                       result.ratio() <= *result.limit ? "holds" : "falls short");
+}
+
+} // namespace
+
+void write_page(const std::filesystem::path& path, std::span<const Result> results, std::size_t count) {
+    std::string page = fmt::format(R"(# What the world's operations cost
+
+Made by `./dev charts ecs`; don't edit. {} entities, each with two components of 12 bytes, on {}, {} cores, one thread;
+{}.
+
+*best* and *median* are over many short rounds, per entity where the unit is ns. *over raw* is the best of the row over
+the best of the floor of its part, which is timed in turn with it: `p[i] += v[i]` over two arrays for walking, `push_back`
+into two vectors that start empty for everything that changes the world's structure, `p[index[i]]` for reading at random.
+Memory is fresh in every round, for worlds and for vectors.
+
+![Cost per entity against the number of entities](charts/ecs.svg)
+
+| what | best | median | over raw | limit | |
+|---|---:|---:|---:|---:|---|
+)",
+                                   count, processor(), std::thread::hardware_concurrency(), compiler());
+    for (const Result& result : results) page += row(result);
+    assets::write_file_atomically(path, std::as_bytes(std::span(page.data(), page.size())));
+}
+
+} // namespace hachure::bench
