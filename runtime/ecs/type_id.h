@@ -1,20 +1,35 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <typeinfo>
 
 namespace hachure::detail {
 
-/// A small number for a type, handed out in order of first use; it differs between runs and is never stored.
+/// A small number for a type, handed out in order of first use; it differs between runs and is never stored. The same
+/// type has the same number in a program and in every shared library that it loads.
 using TypeId = std::uint32_t;
 
 /// The numbers of component types and of resource types are counted apart, so that tables indexed by them stay small.
 enum class TypeFamily { component, resource };
 
-TypeId next_type_id(TypeFamily family);
+/// What a translation unit knows of a type: the name that linkers know it by, and its layout.
+struct TypeKey {
+    std::string_view mangled; ///< std::type_info::name(), which compilers of one ABI agree on
+    std::size_t size;
+    std::size_t alignment;
+};
+
+/// The number of a type by its name: a new one the first time, the same one ever after. Types that belong to one file
+/// (of an anonymous namespace, local to a function) get a new number each time, because another file may have another
+/// type of that name. Asserts when one name comes with two layouts: two libraries were built from different sources.
+/// May be called by several threads.
+TypeId next_type_id(TypeFamily family, const TypeKey& key);
 
 template <TypeFamily family, class T> TypeId type_id() {
-    static const TypeId id = next_type_id(family);
+    // The name is looked up once per shared library; hidden visibility gives each a variable of its own.
+    static const TypeId id = next_type_id(family, {typeid(T).name(), sizeof(T), alignof(T)});
     return id;
 }
 
