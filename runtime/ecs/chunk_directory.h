@@ -14,47 +14,41 @@ namespace hachure::detail {
 
 class Table;
 
-/// The chunks of a world by number. What a look-up by entity needs stands together, so that it stays in the cache.
+/// The chunks of a world by number.
 class ChunkDirectory {
 public:
+    /// What a look-up by entity needs; small, so that all of it stays in the cache.
     struct Chunk {
         std::byte* data;
-        Table* table;
+        const std::uint32_t* offsets; ///< by component: of its column in `data`; 0 where the table lacks it
+    };
+
+    /// The rest.
+    struct Header {
+        Table* table = nullptr;
+        std::unique_ptr<ColumnTicks[]> ticks; ///< one per column of the table
+        std::uint32_t rows = 0;
+        std::uint32_t position = 0; ///< among the chunks of the table
     };
 
     const Chunk& operator[](std::uint32_t id) const { return chunks_[id]; }
-
-    /// One per column of the chunk's table.
-    ColumnTicks* ticks(std::uint32_t id) const { return ticks_[id].get(); }
+    const Header& header(std::uint32_t id) const { return headers_[id]; }
+    Header& header(std::uint32_t id) { return headers_[id]; }
+    Table& table(std::uint32_t id) const { return *headers_[id].table; }
+    ColumnTicks* ticks(std::uint32_t id) const { return headers_[id].ticks.get(); }
 
     /// A new chunk of `bytes` for a table of `columns` columns; its number.
-    std::uint32_t open(Table* table, std::size_t bytes, std::size_t columns) {
-        std::uint32_t id;
-        if (free_.empty()) {
-            HACHURE_ASSERT(chunks_.size() < Location::max_chunks, "a world has less than 2^20 chunks");
-            id = static_cast<std::uint32_t>(chunks_.size());
-            chunks_.emplace_back();
-            ticks_.emplace_back();
-        } else {
-            id = free_.back();
-            free_.pop_back();
-        }
-        chunks_[id] = {pool_.allocate(bytes), table};
-        ticks_[id] = std::make_unique<ColumnTicks[]>(columns);
-        return id;
-    }
+    std::uint32_t open(Table& table, const std::uint32_t* offsets, std::size_t bytes, std::size_t columns);
+
+    /// The offsets of the chunk's table have moved.
+    void set_offsets(std::uint32_t id, const std::uint32_t* offsets) { chunks_[id].offsets = offsets; }
 
     /// The chunk's rows are gone; `bytes` as in `open`.
-    void close(std::uint32_t id, std::size_t bytes) {
-        pool_.release(chunks_[id].data, bytes);
-        chunks_[id] = {};
-        ticks_[id].reset();
-        free_.push_back(id);
-    }
+    void close(std::uint32_t id, std::size_t bytes);
 
 private:
     std::vector<Chunk> chunks_;
-    std::vector<std::unique_ptr<ColumnTicks[]>> ticks_;
+    std::vector<Header> headers_;
     std::vector<std::uint32_t> free_;
     ChunkPool pool_;
 };

@@ -8,6 +8,23 @@ namespace {
 
 TypeId id_of(const ComponentRecord* component) { return component->info->id; }
 
+const Transition& remember(const Table& from, std::vector<std::unique_ptr<Transition>>& transitions, Table& to,
+                           const ComponentRecord& component) {
+    auto transition = std::make_unique<Transition>();
+    transition->to = &to;
+    for (std::uint16_t i = 0; i < from.columns().size(); ++i) {
+        const auto& column = from.columns()[i];
+        const ComponentInfo& info = *column.component->info;
+        if (!to.has(info.id)) continue;
+        const auto j = static_cast<std::uint16_t>(to.column(info.id));
+        transition->shared.push_back({column.offset, to.offset(info.id), column.stride, i, j, &info});
+    }
+    const TypeId id = component.info->id;
+    if (id >= transitions.size()) transitions.resize(id + 1);
+    transitions[id] = std::move(transition);
+    return *transitions[id];
+}
+
 } // namespace
 
 ComponentRecord::ComponentRecord(const ComponentInfo& of) : info(&of) {}
@@ -18,11 +35,18 @@ EntityStore::~EntityStore() = default;
 EntityStore::EntityStore() : ids_(std::make_shared<EntityTable>()) { find_table({}); }
 
 ComponentRecord& EntityStore::make_record(const ComponentInfo& info) {
-    if (info.id >= records_.size()) records_.resize(info.id + 1);
+    constexpr std::size_t step = 32;
+    if (info.id >= width_) {
+        width_ = (info.id / step + 1) * step;
+        records_.resize(width_);
+        for (const auto& table : tables_) table->widen(width_);
+        for (ComponentRecord* component : sparse_) component->sparse->table.widen(width_);
+    }
     auto& record = records_[info.id];
     record = std::make_unique<ComponentRecord>(info);
     if (info.storage == Storage::sparse) {
         record->sparse = std::make_unique<SparseStore>(*record, chunks_);
+        record->sparse->table.widen(width_);
         sparse_.push_back(record.get());
     }
     return *record;
@@ -35,30 +59,23 @@ Table& EntityStore::find_table(std::vector<ComponentRecord*> components) {
     };
     if (const auto found = std::ranges::find_if(tables_, same); found != tables_.end()) return **found;
     const auto index = static_cast<std::uint32_t>(tables_.size());
-    tables_.push_back(std::make_unique<Table>(index, components, chunks_));
+    tables_.push_back(std::make_unique<Table>(index, components, chunks_, *ids_));
+    tables_.back()->widen(width_);
     update_observed();
     return *tables_.back();
 }
 
-Table& EntityStore::link(Table& table, ComponentRecord& component) {
+const Transition& EntityStore::find_adding(Table& table, ComponentRecord& component) {
     std::vector<ComponentRecord*> components{&component};
     for (const auto& column : table.columns()) components.push_back(column.component);
-    Table& result = find_table(std::move(components));
-    const TypeId id = component.info->id;
-    if (table.with.size() <= id) table.with.resize(id + 1);
-    if (result.without.size() <= id) result.without.resize(id + 1);
-    table.with[id] = &result;
-    result.without[id] = &table;
-    return result;
+    return remember(table, table.adding, find_table(std::move(components)), component);
 }
 
-Table& EntityStore::unlink(Table& table, ComponentRecord& component) {
+const Transition& EntityStore::find_removing(Table& table, ComponentRecord& component) {
     std::vector<ComponentRecord*> components;
     for (const auto& column : table.columns())
         if (column.component != &component) components.push_back(column.component);
-    Table& result = find_table(std::move(components));
-    link(result, component);
-    return result;
+    return remember(table, table.removing, find_table(std::move(components)), component);
 }
 
 Table& EntityStore::remember_bundle(TypeId id, std::vector<ComponentRecord*> components) {
@@ -73,12 +90,12 @@ void EntityStore::mark_chunk(const Table& table, std::uint32_t chunk, std::uint3
     constexpr std::uint32_t few = 64;
     ColumnTicks& ticks = chunks_.ticks(chunk)[column];
     ChangeLog& log = table.columns()[column].component->log;
-    const std::uint32_t rows = table.rows_of_chunk(chunk);
-    if (rows > few) {
+    const auto entities = table.entities(chunk);
+    if (entities.size() > few) {
         log.note_many(now);
     } else {
-        for (std::uint32_t row = 0; row < rows; ++row)
-            if (ticks.changed(row) != now) log.note(table.entities(chunk)[row], now);
+        for (std::uint32_t row = 0; row < entities.size(); ++row)
+            if (ticks.changed(row) != now) log.note(entities[row], now);
     }
     ticks.mark_all(now);
 }
@@ -144,7 +161,7 @@ Entity EntityStore::copy(Entity from, Table& to) {
     const Table& table = table_of(source);
     for (std::size_t i = 0; i < to.columns().size(); ++i) {
         ComponentRecord& component = *to.columns()[i].component;
-        component.info->copy(to.value(at, i), table.value(source, table.find(component.info->id).column));
+        component.info->copy(to.value(at, i), table.value(source, table.column(component.info->id)));
         to.set_ticks(at, i, tick_, tick_);
         component.log.note_added(entity, tick_);
     }
@@ -185,25 +202,21 @@ std::vector<ComponentRecord*> EntityStore::observed_components(Entity entity) co
     return result;
 }
 
-Location EntityStore::move(Entity entity, Location from, Table& to) {
-    Table& old = table_of(from);
+Location EntityStore::move(Entity entity, Location from, const Transition& transition) {
+    Table& to = *transition.to;
     const Location at = to.append(entity);
-    ids_->move(entity, at);
-    const ColumnTicks* old_ticks = old.ticks(from.chunk());
-    const auto new_columns = to.columns();
-    std::size_t j = 0;
-    for (std::size_t i = 0; i < old.columns().size(); ++i) {
-        ComponentRecord& component = *old.columns()[i].component;
-        const ComponentInfo& info = *component.info;
-        while (j < new_columns.size() && id_of(new_columns[j].component) < info.id) ++j;
-        if (j < new_columns.size() && new_columns[j].component == &component) {
-            relocate(info, to.value(at, j), old.value(from, i));
-            to.set_ticks(at, j, old_ticks[i].added(from.row()), old_ticks[i].changed(from.row()));
-        } else if (!info.trivial) {
-            info.destroy(old.value(from, i));
-        }
+    ids_->set_row(entity, at);
+    std::byte* source = chunks_[from.chunk()].data;
+    std::byte* target = chunks_[at.chunk()].data;
+    const ColumnTicks* source_ticks = chunks_.ticks(from.chunk());
+    ColumnTicks* target_ticks = chunks_.ticks(at.chunk());
+    for (const auto& column : transition.shared) {
+        relocate(*column.info, target + column.to_offset + std::size_t{at.row()} * column.stride,
+                 source + column.from_offset + std::size_t{from.row()} * column.stride);
+        target_ticks[column.to_column].place(at.row(), at.row(), to.capacity(), source_ticks[column.from_column],
+                                             from.row());
     }
-    if (const Entity moved = old.drop_row(from)) ids_->move(moved, from);
+    table_of(from).drop_row(from);
     return at;
 }
 
@@ -214,9 +227,10 @@ void EntityStore::forget_change(Entity entity, ComponentRecord& component, Tick 
 void EntityStore::remove(Entity entity, Location row, ComponentRecord& component) {
     if (component.sparse) return erase_sparse(entity, component.sparse->find(entity), component);
     Table& table = table_of(row);
-    const std::uint32_t column = table.find(component.info->id).column;
+    const std::uint32_t column = table.column(component.info->id);
     forget_change(entity, component, table.ticks(row.chunk())[column].changed(row.row()));
-    move(entity, row, without(table, component));
+    if (!component.info->trivial) component.info->destroy(table.value(row, column));
+    move(entity, row, removing(table, component));
     component.log.note_removed(1, tick_);
     removals_.note_removed(entity, component.info->id, tick_);
 }
@@ -242,14 +256,14 @@ void EntityStore::destroy(Entity entity) {
         for (const auto& column : columns) column.component->log.note_removed(1, tick_);
         removals_.note_destroyed(entity, table, tick_);
     }
-    if (const Entity moved = table.drop_row(at)) ids_->move(moved, at);
+    table.drop_row(at);
     ids_->release(entity);
 }
 
 void EntityStore::destroy_all(Table& table) {
     for (const auto& column : table.columns()) column.component->log.note_removed(table.size(), tick_);
-    for (std::size_t position = 0; position < table.chunks().size(); ++position) {
-        const std::span entities(table.entities(table.chunks()[position]), table.rows(position));
+    for (const std::uint32_t chunk : table.chunks()) {
+        const auto entities = table.entities(chunk);
         if (!sparse_.empty())
             for (const Entity entity : entities) erase_sparse(entity);
         if (!table.columns().empty()) removals_.note_destroyed(entities, table, tick_);

@@ -68,23 +68,22 @@ public:
             at = component ? component->sparse->find(entity) : Location{};
             if (!at) return nullptr;
         }
+        if (id >= width_) return nullptr;
         const auto& chunk = chunks_[at.chunk()];
-        const Table::Slot slot = chunk.table->find(id);
-        if (slot.offset == Table::Slot::none) return nullptr;
-        return reinterpret_cast<C*>(chunk.data + slot.offset + std::size_t{at.row()} * stride_of<C>);
+        const std::uint32_t offset = chunk.offsets[id];
+        if (offset == 0) return nullptr;
+        return reinterpret_cast<C*>(chunk.data + offset + std::size_t{at.row()} * stride_of<C>);
     }
 
     /// The ticks of a component of type `id` whose value is in row `at`.
-    ColumnTicks& ticks(TypeId id, Location at) const {
-        return chunks_.ticks(at.chunk())[chunks_[at.chunk()].table->find(id).column];
-    }
+    ColumnTicks& ticks(TypeId id, Location at) const { return chunks_.ticks(at.chunk())[table_of(at).column(id)]; }
 
     /// Marks the component of type `id`, in row `at`, changed in tick `now`.
     void mark(TypeId id, Entity entity, Location at, Tick now) const {
-        const Table& table = *chunks_[at.chunk()].table;
-        const Table::Slot slot = table.find(id);
-        if (chunks_.ticks(at.chunk())[slot.column].mark(at.row(), table.capacity(), now))
-            table.columns()[slot.column].component->log.note(entity, now);
+        const Table& table = table_of(at);
+        const std::uint32_t column = table.column(id);
+        if (chunks_.ticks(at.chunk())[column].mark(at.row(), table.capacity(), now))
+            table.columns()[column].component->log.note(entity, now);
     }
 
     /// Marks a whole column of a chunk changed.
@@ -98,21 +97,21 @@ public:
 
     std::span<const std::unique_ptr<Table>> tables() const { return tables_; }
     Table& empty_table() const { return *tables_.front(); }
-    Table& table_of(Location at) const { return *chunks_[at.chunk()].table; }
+    Table& table_of(Location at) const { return chunks_.table(at.chunk()); }
 
-    /// The table of the components of `table` and one that it lacks, and the one without one that it has.
-    Table& with(Table& table, ComponentRecord& component) {
+    /// The way to the table that has `component` besides those of `table`, which lacks it; or is without it.
+    const Transition& adding(Table& table, ComponentRecord& component) {
         const TypeId id = component.info->id;
-        return id < table.with.size() && table.with[id] ? *table.with[id] : link(table, component);
+        return id < table.adding.size() && table.adding[id] ? *table.adding[id] : find_adding(table, component);
     }
-    Table& without(Table& table, ComponentRecord& component) {
+    const Transition& removing(Table& table, ComponentRecord& component) {
         const TypeId id = component.info->id;
-        return id < table.without.size() && table.without[id] ? *table.without[id] : unlink(table, component);
+        return id < table.removing.size() && table.removing[id] ? *table.removing[id] : find_removing(table, component);
     }
 
     /// The table of those of C... that are kept in tables.
     template <class... C> Table& table_for() {
-        const TypeId id = type_id<TypeFamily::bundle, void(C...)>();
+        const TypeId id = type_id<TypeFamily::bundle, TypeList<C...>>();
         if (id < bundles_.size() && bundles_[id]) return *bundles_[id];
         return remember_bundle(id, {&record<C>()...});
     }
@@ -147,25 +146,19 @@ public:
     /// The components of an entity that have observers.
     std::vector<ComponentRecord*> observed_components(Entity entity) const;
 
-    /// Constructs the component of an entity that has none, whose row in the tables is `row`, in a column for it.
-    template <class C> C& emplace(Entity entity, Location row, C&& value) {
-        ComponentRecord* component;
-        Location at = row;
-        if constexpr (is_sparse<C>) {
-            component = &record<C>();
-            at = component->sparse->append(entity);
-        }
-        const auto& chunk = chunks_[at.chunk()];
-        const Table::Slot slot = chunk.table->find(component_id<C>());
-        C* place = new (chunk.data + slot.offset + std::size_t{at.row()} * stride_of<C>) C(std::move(value));
-        chunk.table->set_ticks(at, slot.column, tick_, tick_);
-        chunk.table->columns()[slot.column].component->log.note_added(entity, tick_);
-        return *place;
+    /// Constructs the component of an entity that has none, whose row in the tables is `row`, with a column for it.
+    template <class C> C& emplace(Entity entity, Location row, ComponentRecord& component, C&& value) {
+        if constexpr (is_sparse<C>)
+            return construct(component.sparse->table, component.sparse->append(entity), 0, entity, std::move(value));
+        Table& table = table_of(row);
+        return construct(table, row, table.column(component_id<C>()), entity, std::move(value));
     }
 
-    /// Takes the entity with the row `from` to another table, with the components that both have; the others of the old
-    /// table are destroyed, those that only the new one has are the caller's to construct. The new row.
-    Location move(Entity entity, Location from, Table& to);
+    /// Takes the entity with the row `from` to the table that has `component` besides. Its value is the caller's to
+    /// construct. The new row.
+    Location move_adding(Entity entity, Location from, ComponentRecord& component) {
+        return move(entity, from, adding(table_of(from), component));
+    }
 
     /// Takes the component off an entity that has it; its row in the tables is `row`.
     void remove(Entity entity, Location row, ComponentRecord& component);
@@ -183,10 +176,19 @@ public:
     void update_observed();
 
 private:
+    template <class C> C& construct(Table& table, Location at, std::uint32_t column, Entity entity, C&& value) {
+        const Table::Column& place = table.columns()[column];
+        std::byte* memory = Table::value(chunks_[at.chunk()].data, place, at.row());
+        C* result = new (memory) C(std::move(value));
+        table.set_ticks(at, column, tick_, tick_);
+        place.component->log.note_added(entity, tick_);
+        return *result;
+    }
+    Location move(Entity entity, Location from, const Transition& transition);
     ComponentRecord& make_record(const ComponentInfo& info);
     Table& find_table(std::vector<ComponentRecord*> components);
-    Table& link(Table& table, ComponentRecord& component);
-    Table& unlink(Table& table, ComponentRecord& component);
+    const Transition& find_adding(Table& table, ComponentRecord& component);
+    const Transition& find_removing(Table& table, ComponentRecord& component);
     Table& remember_bundle(TypeId id, std::vector<ComponentRecord*> components);
     void erase_sparse(Entity entity);
     void erase_sparse(Entity entity, Location at, ComponentRecord& component);
@@ -199,6 +201,7 @@ private:
     std::vector<std::unique_ptr<Table>> tables_; ///< the first is that of no components
     std::vector<Table*> bundles_;                ///< by type of bundle; some are null
     std::vector<ComponentRecord*> sparse_;       ///< those with sparse storage
+    std::size_t width_ = 0;                      ///< every table has offsets for so many components
     RemovalLog removals_;
     QueryCaches query_caches_;
     std::vector<std::unique_ptr<FilteredWalk>> walks_; ///< those not in use

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <string>
 
 namespace hachure {
@@ -19,16 +20,19 @@ constexpr std::uint32_t last_generation = std::numeric_limits<std::uint32_t>::ma
 
 } // namespace
 
-Entity EntityTable::append() {
-    HACHURE_ASSERT(slots_.size() < none, "a world holds fewer than 2^31 - 2 entities");
-    slots_.push_back({1, reserved_state});
-    return {static_cast<std::uint32_t>(slots_.size() - 1), 1};
+void EntityTable::grow(std::size_t slots) {
+    constexpr std::size_t smallest = 256;
+    HACHURE_ASSERT(slots < none, "a world holds fewer than 2^31 - 2 entities");
+    const std::size_t capacity = std::min<std::size_t>(std::max({smallest, slots, 2 * std::size_t{capacity_}}), none);
+    auto* larger = reinterpret_cast<Slot*>(allocate_large(capacity * sizeof(Slot)));
+    std::copy_n(slots_, count_, larger);
+    release_slots();
+    slots_ = larger;
+    capacity_ = static_cast<std::uint32_t>(capacity);
 }
 
-void EntityTable::activate(Entity entity, Location at) {
-    HACHURE_ASSERT(reserved(entity), "only a reserved entity becomes alive");
-    slots_[entity.index].state = at.packed();
-    ++alive_;
+void EntityTable::release_slots() {
+    if (slots_) release_large(reinterpret_cast<std::byte*>(slots_), capacity_ * sizeof(Slot));
 }
 
 void EntityTable::release(Entity entity) {
@@ -44,8 +48,8 @@ void EntityTable::release(Entity entity) {
 
 EntityIds EntityTable::ids() const {
     EntityIds result;
-    result.generations.reserve(slots_.size());
-    for (const Slot& slot : slots_) result.generations.push_back(slot.generation);
+    result.generations.reserve(count_);
+    for (const Slot& slot : std::span(slots_, count_)) result.generations.push_back(slot.generation);
     for (std::uint32_t index = next_free_; index != none; index = slots_[index].state & index_mask)
         result.free.push_back(index);
     std::ranges::reverse(result.free);
@@ -54,15 +58,16 @@ EntityIds EntityTable::ids() const {
 
 std::vector<Entity> EntityTable::reset(const EntityIds& ids) {
     HACHURE_ASSERT(alive_ == 0, "handles are restored into an empty world");
-    slots_.clear();
-    for (const std::uint32_t generation : ids.generations) slots_.push_back({generation, reserved_state});
+    if (ids.generations.size() > capacity_) grow(ids.generations.size());
+    count_ = 0;
+    for (const std::uint32_t generation : ids.generations) slots_[count_++] = {generation, reserved_state};
     next_free_ = none;
     for (const std::uint32_t index : ids.free) {
         slots_[index].state = dead_bit | next_free_;
         next_free_ = index;
     }
     std::vector<Entity> live;
-    for (std::uint32_t index = 0; index < slots_.size(); ++index)
+    for (std::uint32_t index = 0; index < count_; ++index)
         if (slots_[index].state == reserved_state && slots_[index].generation != last_generation)
             live.push_back({index, slots_[index].generation});
     return live;

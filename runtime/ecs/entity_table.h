@@ -1,7 +1,10 @@
 #pragma once
 
+#include <hachure/runtime/assert.h>
 #include <hachure/runtime/ecs/entity.h>
+#include <hachure/runtime/ecs/large_memory.h>
 #include <hachure/runtime/ecs/location.h>
+#include <hachure/runtime/ecs/row_index.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +23,13 @@ namespace detail {
 
 /// Which entities of a world live, and where their rows are. An id is free, then reserved (given out, not yet alive),
 /// then alive, then free again with the next generation.
-class EntityTable {
+class EntityTable final : public RowIndex {
 public:
+    EntityTable() = default;
+    EntityTable(const EntityTable&) = delete;
+    EntityTable& operator=(const EntityTable&) = delete;
+    ~EntityTable() override { release_slots(); }
+
     /// A fresh id. It is not alive until `activate`.
     Entity reserve() {
         if (next_free_ == none) return append();
@@ -32,24 +40,28 @@ public:
     }
 
     /// Makes a reserved id alive, with its row at `at`.
-    void activate(Entity entity, Location at);
+    void activate(Entity entity, Location at) {
+        HACHURE_ASSERT(reserved(entity), "only a reserved entity becomes alive");
+        slots_[entity.index].state = at.packed();
+        ++alive_;
+    }
 
     /// The entity's row moved.
-    void move(Entity entity, Location at) { slots_[entity.index].state = at.packed(); }
+    void set_row(Entity entity, Location at) override { slots_[entity.index].state = at.packed(); }
 
     /// Ends a reserved or live id; handles to it are dead from now on.
     void release(Entity entity);
 
     /// The row of an entity; nowhere when it is not alive.
     Location find(Entity entity) const {
-        if (entity.index >= slots_.size() || slots_[entity.index].generation != entity.generation) return {};
+        if (entity.index >= count_ || slots_[entity.index].generation != entity.generation) return {};
         return Location::unpack(slots_[entity.index].state);
     }
 
     bool alive(Entity entity) const { return static_cast<bool>(find(entity)); }
 
     bool reserved(Entity entity) const {
-        return entity.index < slots_.size() && slots_[entity.index].generation == entity.generation &&
+        return entity.index < count_ && slots_[entity.index].generation == entity.generation &&
                slots_[entity.index].state == reserved_state;
     }
 
@@ -78,10 +90,19 @@ private:
         std::uint32_t state;
     };
 
-    Entity append();
+    Entity append() {
+        if (count_ == capacity_) grow(count_ + 1);
+        slots_[count_] = {1, reserved_state};
+        return {count_++, 1};
+    }
+    void grow(std::size_t slots);
+    void release_slots();
     std::vector<Entity> reset(const EntityIds& ids);
 
-    std::vector<Slot> slots_;
+    // Not a vector: large pages, as for the values that the slots lead to.
+    Slot* slots_ = nullptr;
+    std::uint32_t count_ = 0;
+    std::uint32_t capacity_ = 0;
     std::uint32_t next_free_ = none;
     std::size_t alive_ = 0;
 };

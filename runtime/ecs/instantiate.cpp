@@ -7,7 +7,7 @@ namespace hachure {
 Entity World::copy_entity(Entity from, bool with_tree) {
     detail::Table* table = &store_->table_of(store_->ids().find(from));
     const auto drop = [&](detail::TypeId id) {
-        if (table->has(id)) table = &store_->without(*table, *store_->find_record(id));
+        if (table->has(id)) table = store_->removing(*table, *store_->find_record(id)).to;
     };
     for (const auto& column : store_->table_of(store_->ids().find(from)).columns())
         if (!column.component->info->copy) drop(column.component->info->id);

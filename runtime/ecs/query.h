@@ -121,6 +121,10 @@ private:
         std::uint32_t rows;
     };
 
+    static std::uint32_t rows_of(const detail::Table& table, std::uint32_t chunk) {
+        return static_cast<std::uint32_t>(table.entities(chunk).size());
+    }
+
     template <class... C> Query filtered(detail::ChangeFilter::Event event, Tick since) const {
         Query result = *this;
         result.filters_.add(event, since, std::array{detail::component_id<std::remove_const_t<C>>()...});

@@ -61,7 +61,7 @@ template <class... Terms> struct Cursor {
         table = &in;
         chunk = id;
         row = 0;
-        entities = in.entities(id);
+        entities = in.entities(id).data();
         std::apply([this](auto&... term) { (term.enter(visit()), ...); }, terms);
     }
 
@@ -119,7 +119,7 @@ Cursor<Terms...> Cursor<Terms...>::begin(EntityStore& store, const ChangeFilters
     cursor.store = &store;
     cursor.now = now;
     cursor.marks = writes && marks;
-    cursor.cache = &store.query_cache(type_id<TypeFamily::query, void(Terms...)>(), &Cursor::matches);
+    cursor.cache = &store.query_cache(type_id<TypeFamily::query, TypeList<Terms...>>(), &Cursor::matches);
     if (cursor.cache->tables().empty()) return cursor;
 
     if constexpr (by_row) cursor.begin_terms();
@@ -185,12 +185,10 @@ template <class... Terms> bool Cursor<Terms...>::next_block() {
             next_chunk = 0;
         }
         const std::uint32_t id = table->chunks()[next_chunk];
-        if (walk && walk->filtered() && !walk->enter(*table, id, store->chunks())) {
-            ++next_chunk;
-            continue;
-        }
+        ++next_chunk;
+        rows = static_cast<std::uint32_t>(table->entities(id).size());
+        if (rows == 0 || (walk && walk->filtered() && !walk->enter(*table, id, store->chunks()))) continue;
         enter(*table, id);
-        rows = table->rows(next_chunk++);
         return true;
     }
 }

@@ -75,9 +75,9 @@ void FilteredWalk::restrict_to(const SparseStore& store) {
     listed_ = true;
     candidates_.clear();
     const Table& table = store.table;
-    for (std::size_t position = 0; position < table.chunks().size(); ++position) {
-        const Entity* entities = table.entities(table.chunks()[position]);
-        candidates_.insert(candidates_.end(), entities, entities + table.rows(position));
+    for (const std::uint32_t chunk : table.chunks()) {
+        const auto entities = table.entities(chunk);
+        candidates_.insert(candidates_.end(), entities.begin(), entities.end());
     }
 }
 
@@ -92,8 +92,7 @@ bool FilteredWalk::enter(const Table& table, std::uint32_t chunk, const ChunkDir
                 news = true;
                 continue;
             }
-            const Table::Slot slot = table.find(watched.id);
-            const ColumnTicks* column = slot.offset != Table::Slot::none ? &ticks[slot.column] : nullptr;
+            const ColumnTicks* column = table.has(watched.id) ? &ticks[table.column(watched.id)] : nullptr;
             watched.ticks = column && column->latest() > filter.since ? column : nullptr;
             news = news || watched.ticks;
         }

@@ -27,7 +27,8 @@ template <class T> std::span<T> chunk_span(T* first, std::uint32_t rows) { retur
 } // namespace detail
 
 template <class... Terms> const detail::QueryCache& Query<Terms...>::cache() const {
-    return store_->query_cache(detail::type_id<detail::TypeFamily::query, void(Terms...)>(), &Cursor::matches);
+    return store_->query_cache(detail::type_id<detail::TypeFamily::query, detail::TypeList<Terms...>>(),
+                               &Cursor::matches);
 }
 
 template <class... Terms> auto Query<Terms...>::cursor_at(const detail::QueryCache& cache) const -> Cursor {
@@ -64,11 +65,10 @@ template <class... Terms> template <class F> void Query<Terms...>::each(F&& f) c
         const detail::QueryCache& tables = cache();
         Cursor cursor = cursor_at(tables);
         for (detail::Table* table : tables.tables()) {
-            const auto chunks = table->chunks();
-            for (std::size_t i = 0; i < chunks.size(); ++i) {
-                cursor.enter(*table, chunks[i]);
+            for (const std::uint32_t chunk : table->chunks()) {
+                cursor.enter(*table, chunk);
                 if constexpr (writes) cursor.mark_chunk();
-                visit_rows(cursor, table->rows(i), f);
+                visit_rows(cursor, rows_of(*table, chunk), f);
             }
         }
     }
@@ -90,8 +90,8 @@ template <class... Terms> template <class F> void Query<Terms...>::each_chunk(F&
 template <class... Terms> auto Query<Terms...>::blocks(const detail::QueryCache& cache) const -> std::vector<Block> {
     std::vector<Block> result;
     for (detail::Table* table : cache.tables())
-        for (std::size_t i = 0; i < table->chunks().size(); ++i)
-            result.push_back({table, table->chunks()[i], table->rows(i)});
+        for (const std::uint32_t chunk : table->chunks())
+            if (const std::uint32_t rows = rows_of(*table, chunk)) result.push_back({table, chunk, rows});
     return result;
 }
 

@@ -58,8 +58,8 @@ template <class C> struct ColumnCursor<C, false> {
     void begin(EntityStore&) {}
     void enter(const Visit& visit) {
         const auto& chunk = visit.store.chunks()[visit.chunk];
-        const Table::Slot slot = visit.table.find(component_id<C>());
-        base = slot.offset == Table::Slot::none ? nullptr : chunk.data + slot.offset;
+        const std::uint32_t offset = visit.table.offset(component_id<C>());
+        base = offset == 0 ? nullptr : chunk.data + offset;
     }
     void select(const Visit&) {}
     bool present() const { return base != nullptr; }
@@ -69,7 +69,7 @@ template <class C> struct ColumnCursor<C, false> {
         if (base) visit.store.mark(component_id<C>(), visit.entity(), visit.at(), now);
     }
     void mark_chunk(const Visit& visit, Tick now) const {
-        if (base) visit.store.mark_chunk(visit.table, visit.chunk, visit.table.find(component_id<C>()).column, now);
+        if (base) visit.store.mark_chunk(visit.table, visit.chunk, visit.table.column(component_id<C>()), now);
     }
 };
 

@@ -9,11 +9,14 @@
 namespace hachure::detail {
 
 /// Every entity that has one component with sparse storage: a table with that one column, and an index into it.
-struct SparseStore {
+struct SparseStore final : RowIndex {
     SparseIndex index;
     Table table;
 
-    SparseStore(ComponentRecord& component, ChunkDirectory& directory) : table(0, std::array{&component}, directory) {}
+    SparseStore(ComponentRecord& component, ChunkDirectory& directory)
+        : table(0, std::array{&component}, directory, *this) {}
+
+    void set_row(Entity entity, Location at) override { index.set(entity.index, at); }
 
     /// The row of an entity that is alive, or nowhere.
     Location find(Entity entity) const { return index.find(entity.index); }
@@ -27,9 +30,9 @@ struct SparseStore {
 
     /// Destroys the value of `entity` at `at` and drops the row.
     void erase(Entity entity, Location at) {
-        table.destroy_values(at);
-        if (const Entity moved = table.drop_row(at)) index.set(moved.index, at);
         index.clear(entity.index);
+        table.destroy_values(at);
+        table.drop_row(at);
     }
 };
 

@@ -1,7 +1,6 @@
 #include <hachure/runtime/ecs/table.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace hachure::detail {
 namespace {
@@ -14,8 +13,9 @@ std::size_t aligned(std::size_t offset) {
 
 } // namespace
 
-Table::Table(std::uint32_t index, std::span<ComponentRecord* const> components, ChunkDirectory& directory)
-    : index_(index), directory_(&directory) {
+Table::Table(std::uint32_t index, std::span<ComponentRecord* const> components, ChunkDirectory& directory,
+             RowIndex& rows)
+    : index_(index), directory_(&directory), rows_(&rows) {
     std::size_t row_bytes = sizeof(Entity);
     for (const ComponentRecord* component : components) row_bytes += component->info->stride;
     // For aligning each column, and for the address that an empty type's values share.
@@ -25,81 +25,116 @@ Table::Table(std::uint32_t index, std::span<ComponentRecord* const> components, 
 
     std::size_t offset = aligned(sizeof(Entity) * capacity_);
     for (ComponentRecord* component : components) {
-        const TypeId id = component->info->id;
-        if (id >= slots_.size()) slots_.resize(id + 1);
-        slots_[id] = {static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(columns_.size())};
-        columns_.push_back({component, static_cast<std::uint32_t>(offset)});
-        offset = aligned(offset + std::max<std::size_t>(std::size_t{component->info->stride} * capacity_, 1));
-        trivial_ = trivial_ && component->info->trivial;
+        const ComponentInfo& info = *component->info;
+        if (info.id >= offsets_.size()) offsets_.resize(info.id + 1);
+        column_numbers_.resize(offsets_.size());
+        offsets_[info.id] = static_cast<std::uint32_t>(offset);
+        column_numbers_[info.id] = static_cast<std::uint32_t>(columns_.size());
+        columns_.push_back({component, offsets_[info.id], info.stride, info.trivial});
+        offset = aligned(offset + std::max<std::size_t>(std::size_t{info.stride} * capacity_, 1));
+        trivial_ = trivial_ && info.trivial;
     }
     HACHURE_ASSERT(offset <= bytes_, "a chunk holds its columns");
 }
 
 Table::~Table() { clear(); }
 
-void Table::open_chunk() {
-    full_rows_ += tail_rows_;
-    tail_ = directory_->open(this, bytes_, columns_.size());
-    tail_rows_ = 0;
-    entities_of_tail_ = reinterpret_cast<Entity*>((*directory_)[tail_].data);
-    chunks_.push_back(tail_);
+void Table::widen(std::size_t count) {
+    if (count <= offsets_.size()) return;
+    offsets_.resize(count);
+    for (const std::uint32_t chunk : chunks_) directory_->set_offsets(chunk, offsets_.data());
 }
 
-void Table::close_tail() {
-    directory_->close(tail_, bytes_);
+void Table::set_tail(std::uint32_t chunk) {
+    tail_ = chunk;
+    tail_rows_ = directory_->header(chunk).rows;
+    tail_capacity_ = capacity_;
+    tail_data_ = (*directory_)[chunk].data;
+}
+
+void Table::open_chunk() {
+    const std::uint32_t chunk = directory_->open(*this, offsets_.data(), bytes_, columns_.size());
+    directory_->header(chunk).position = static_cast<std::uint32_t>(chunks_.size());
+    chunks_.push_back(chunk);
+    set_tail(chunk);
+}
+
+void Table::close_chunk(std::uint32_t chunk) {
+    const std::uint32_t position = directory_->header(chunk).position;
+    chunks_[position] = chunks_.back();
+    directory_->header(chunks_[position]).position = position;
     chunks_.pop_back();
-    tail_ = chunks_.empty() ? 0xffff'ffffu : chunks_.back();
-    tail_rows_ = chunks_.empty() ? 0 : capacity_;
-    entities_of_tail_ = chunks_.empty() ? nullptr : reinterpret_cast<Entity*>((*directory_)[tail_].data);
-    full_rows_ -= tail_rows_;
+    directory_->close(chunk, bytes_);
+    if (chunk != tail_) return;
+    tail_ = no_chunk;
+    tail_rows_ = tail_capacity_ = 0;
+    if (!chunks_.empty()) set_tail(chunks_.back());
 }
 
 Table::Rows Table::append_rows(std::size_t wanted) {
-    if (tail_rows_ == capacity_ || chunks_.empty()) open_chunk();
+    if (tail_rows_ == tail_capacity_) open_chunk();
     const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(wanted, capacity_ - tail_rows_));
     const Location first(tail_, tail_rows_);
-    tail_rows_ += count;
+    directory_->header(tail_).rows = tail_rows_ += count;
+    size_ += count;
     return {first, count};
 }
 
-Entity Table::drop_row(Location at) {
-    const Location last(tail_, tail_rows_ - 1);
-    Entity moved = Entity::null;
-    if (at != last) {
-        moved = entities_of_tail_[last.row()];
-        const auto& to = (*directory_)[at.chunk()];
-        const auto& from = (*directory_)[last.chunk()];
-        ColumnTicks* to_ticks = ticks(at.chunk());
-        const ColumnTicks* from_ticks = ticks(last.chunk());
-        reinterpret_cast<Entity*>(to.data)[at.row()] = moved;
-        const std::uint32_t rows = rows_of_chunk(at.chunk());
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            const Column& column = columns_[i];
-            const ComponentInfo& info = *column.component->info;
-            relocate(info, to.data + column.offset + std::size_t{at.row()} * info.stride,
-                     from.data + column.offset + std::size_t{last.row()} * info.stride);
-            if (from_ticks != to_ticks || !to_ticks[i].uniform())
-                to_ticks[i].place(at.row(), rows, capacity_, from_ticks[i].added(last.row()),
-                                  from_ticks[i].changed(last.row()));
-        }
+void Table::move_values(Location to, Location from) {
+    std::byte* target = (*directory_)[to.chunk()].data;
+    std::byte* source = (*directory_)[from.chunk()].data;
+    for (const Column& column : columns_)
+        relocate(*column.component->info, value(target, column, to.row()), value(source, column, from.row()));
+}
+
+void Table::drop_row(Location at) {
+    const std::uint32_t chunk = at.chunk();
+    ChunkDirectory::Header& header = directory_->header(chunk);
+    const std::uint32_t last = --header.rows;
+    --size_;
+    if (chunk == tail_) tail_rows_ = last;
+    if (at.row() != last) {
+        auto* entities = reinterpret_cast<Entity*>((*directory_)[chunk].data);
+        entities[at.row()] = entities[last];
+        move_values(at, {chunk, last});
+        for (std::size_t i = 0; i < columns_.size(); ++i) header.ticks[i].move(at.row(), last);
+        rows_->set_row(entities[last], at);
     }
-    if (--tail_rows_ == 0) close_tail();
-    return moved;
+    // Few rows are not worth a chunk: what is moved was paid for by the many that went.
+    constexpr std::uint32_t share = 8;
+    if (chunk == tail_) return; // it stays, even empty: entities come and go
+    if (last < std::max(capacity_ / share, 1u)) merge(chunk);
+}
+
+void Table::merge(std::uint32_t chunk) {
+    const std::uint32_t rows = directory_->header(chunk).rows;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        const Location from(chunk, row);
+        const Entity entity = entities(chunk)[row];
+        const Location to = append(entity);
+        move_values(to, from);
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            ticks(to.chunk())[i].place(to.row(), to.row(), capacity_, ticks(chunk)[i], row);
+        rows_->set_row(entity, to);
+    }
+    size_ -= rows; // they were counted again as they were appended
+    close_chunk(chunk);
 }
 
 void Table::destroy_values(Location at) {
     if (trivial_) return;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        const ComponentInfo& info = *columns_[i].component->info;
-        if (!info.trivial) info.destroy(value(at, i));
-    }
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+        if (!columns_[i].trivial) columns_[i].component->info->destroy(value(at, i));
 }
 
 void Table::clear() {
     while (!chunks_.empty()) {
-        for (std::uint32_t row = 0; !trivial_ && row < tail_rows_; ++row) destroy_values({tail_, row});
-        close_tail();
+        const std::uint32_t chunk = chunks_.back();
+        const std::uint32_t rows = directory_->header(chunk).rows;
+        for (std::uint32_t row = 0; !trivial_ && row < rows; ++row) destroy_values({chunk, row});
+        close_chunk(chunk);
     }
+    size_ = 0;
 }
 
 } // namespace hachure::detail

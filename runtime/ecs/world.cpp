@@ -65,9 +65,9 @@ void World::destroy_tables(const std::vector<detail::Table*>& tables) {
             continue;
         }
         std::vector<Entity> entities;
-        for (std::size_t i = 0; i < table->chunks().size(); ++i) {
-            const Entity* first = table->entities(table->chunks()[i]);
-            entities.insert(entities.end(), first, first + table->rows(i));
+        for (const std::uint32_t chunk : table->chunks()) {
+            const auto rows = table->entities(chunk);
+            entities.insert(entities.end(), rows.begin(), rows.end());
         }
         destroy_many(entities);
     }
@@ -77,9 +77,8 @@ void World::clear() {
     store_->lock().assert_idle();
     for (const auto& table : store_->tables()) {
         if (observed_)
-            for (std::size_t i = 0; i < table->chunks().size(); ++i)
-                for (const Entity entity : std::span(table->entities(table->chunks()[i]), table->rows(i)))
-                    notify_removed(entity);
+            for (const std::uint32_t chunk : table->chunks())
+                for (const Entity entity : table->entities(chunk)) notify_removed(entity);
         store_->destroy_all(*table);
     }
 }

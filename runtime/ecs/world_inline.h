@@ -15,7 +15,7 @@ template <Component... C> Entity World::create_with(C... components) {
     store_->lock().assert_idle();
     const Entity entity = store_->create(store_->table_for<C...>());
     const detail::Location row = store_->ids().find(entity);
-    (store_->emplace<C>(entity, row, std::move(components)), ...);
+    (store_->emplace<C>(entity, row, store_->record<C>(), std::move(components)), ...);
     if (observed_) notify_added(entity);
     return entity;
 }
@@ -48,7 +48,7 @@ template <class... C, class F> void World::create_rows(std::size_t count, F&& in
             const Entity entity = store.create(store.table_for<C...>());
             init(i, entity, std::get<detail::Raw<C>>(raw).place()...);
             const detail::Location row = store.ids().find(entity);
-            (store.emplace<C>(entity, row, std::move(*std::get<detail::Raw<C>>(raw).place())), ...);
+            (store.emplace<C>(entity, row, store.record<C>(), std::move(*std::get<detail::Raw<C>>(raw).place())), ...);
             (std::destroy_at(std::get<detail::Raw<C>>(raw).place()), ...);
             if (observed_) notify_added(entity);
         }
@@ -57,11 +57,11 @@ template <class... C, class F> void World::create_rows(std::size_t count, F&& in
         for (std::size_t done = 0; done < count;) {
             const auto rows = store.create_rows(table, count - done, now);
             const auto& chunk = store.chunks()[rows.first.chunk()];
-            const Entity* entities = table.entities(rows.first.chunk()) + rows.first.row();
+            const Entity* entities = table.entities(rows.first.chunk()).data() + rows.first.row();
             const auto fill = [&](C*... columns) {
                 for (std::uint32_t i = 0; i < rows.count; ++i) init(done + i, entities[i], detail::step(columns, i)...);
             };
-            fill(detail::step(reinterpret_cast<C*>(chunk.data + table.find(detail::component_id<C>()).offset),
+            fill(detail::step(reinterpret_cast<C*>(chunk.data + table.offset(detail::component_id<C>())),
                               rows.first.row())...);
             for (std::uint32_t i = 0; observed_ && i < rows.count; ++i) notify_added(entities[i]);
             done += rows.count;
@@ -87,8 +87,8 @@ template <class C> C& World::assign(Entity entity, C value) {
     }
     store.lock().assert_idle();
     detail::ComponentRecord& component = store.record<C>();
-    if constexpr (!detail::is_sparse<C>) row = store.move(entity, row, store.with(store.table_of(row), component));
-    C& result = store.emplace<C>(entity, row, std::move(value));
+    if constexpr (!detail::is_sparse<C>) row = store.move_adding(entity, row, component);
+    C& result = store.emplace<C>(entity, row, component, std::move(value));
     if (!component.added.empty()) notify(component.added, entity);
     return result;
 }
@@ -106,7 +106,7 @@ template <class C> bool World::erase(Entity entity) {
 
 template <Component C> C& World::add(Entity entity, C value) {
     static_assert(!detail::managed_by_world<C>, "Parent and Children change through set_parent and clear_parent");
-    require_alive(entity);
+    if (!alive(entity)) throw_missing(entity, {});
     return assign<C>(entity, std::move(value));
 }
 
@@ -130,12 +130,12 @@ template <Component C> C* World::find_mutable(Entity entity) {
 
 template <Component C> const C& World::get(Entity entity) const {
     if (const C* found = find<C>(entity)) return *found;
-    throw_missing(entity, detail::type_name<C>());
+    throw_missing(entity, detail::type_name_of<C>);
 }
 
 template <Component C> C& World::get_mutable(Entity entity) {
     if (C* found = find_mutable<C>(entity)) return *found;
-    throw_missing(entity, detail::type_name<C>());
+    throw_missing(entity, detail::type_name_of<C>);
 }
 
 template <Component C> bool World::set_if_different(Entity entity, const C& value) {
@@ -145,12 +145,12 @@ template <Component C> bool World::set_if_different(Entity entity, const C& valu
 }
 
 template <Component C> Tick World::changed_tick(Entity entity) const {
-    if (!has<C>(entity)) throw_missing(entity, detail::type_name<C>());
+    if (!has<C>(entity)) throw_missing(entity, detail::type_name_of<C>);
     return store_->changed(detail::component_id<C>(), entity);
 }
 
 template <Component C> Tick World::added_tick(Entity entity) const {
-    if (!has<C>(entity)) throw_missing(entity, detail::type_name<C>());
+    if (!has<C>(entity)) throw_missing(entity, detail::type_name_of<C>);
     return store_->added(detail::component_id<C>(), entity);
 }
 
@@ -181,12 +181,12 @@ template <Component C> void World::on_remove(std::function<void(World&, Entity)>
 
 template <class T> const T& World::resource() const {
     if (const T* found = find_resource<T>()) return *found;
-    throw MissingResource(detail::type_name<T>());
+    throw MissingResource(detail::type_name_of<T>);
 }
 
 template <class T> T& World::resource_mutable() {
     if (T* found = find_resource<T>()) return *found;
-    throw MissingResource(detail::type_name<T>());
+    throw MissingResource(detail::type_name_of<T>);
 }
 
 } // namespace hachure

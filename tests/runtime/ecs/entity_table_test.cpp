@@ -62,7 +62,7 @@ TEST(EntityTableTest, KnowsWhereTheLivingAre) {
     std::vector<Entity> entities;
     for (int i = 0; i < 10; ++i) entities.push_back(live(table));
     for (const int gone : {0, 9, 4}) table.release(entities[gone]);
-    table.move(entities[5], {99, 3});
+    table.set_row(entities[5], {99, 3});
     EXPECT_EQ(table.alive_count(), 7u);
     EXPECT_FALSE(table.find(entities[4]));
     EXPECT_EQ(table.find(entities[5]), (detail::Location{99, 3}));
