@@ -10,6 +10,7 @@
 namespace hachure::test::model {
 
 void Twins::rarely() {
+    if (full() && once_in(2)) return destroy_many(); // or nothing would be created in bulk any more
     const auto dice = pick(1000);
     if (dice < 300) return create_many();
     if (dice < 600) return create_each();
