@@ -1,4 +1,4 @@
-#include <hachure/components/name.h>
+#include <hachure/components/name_index.h>
 #include <hachure/editor/assignments.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/error.h>
@@ -31,11 +31,6 @@ Assignment parse_assignment(const TypeRegistry& types, const std::string& text) 
     return result;
 }
 
-bool is_named(const World& world, Entity entity, const std::string& name) {
-    const Name* carried = world.find<Name>(entity);
-    return name.empty() || (carried && carried->text == name);
-}
-
 } // namespace
 
 std::vector<Assignment> parse_assignments(const TypeRegistry& types, std::span<const std::string> texts) {
@@ -45,17 +40,22 @@ std::vector<Assignment> parse_assignments(const TypeRegistry& types, std::span<c
 }
 
 void apply_assignments(World& world, std::span<const Assignment> assignments) {
+    NameIndex names;
     for (const Assignment& assignment : assignments) {
+        const TypeInfo& type = *assignment.type;
+        names.update(world); // an assignment may rename
         bool found = false;
-        for (const Entity entity : assignment.type->entities(world)) {
-            if (!is_named(world, entity, assignment.entity)) continue;
-            assignment.field->set(assignment.type->find_mutable(world, entity), assignment.value);
+        for (const Entity entity :
+             assignment.entity.empty() ? type.entities(world) : names.find_all(world, assignment.entity)) {
+            void* component = type.find_mutable(world, entity);
+            if (!component) continue;
+            assignment.field->set(component, assignment.value);
             found = true;
         }
         if (found) continue;
         const std::string who =
             assignment.entity.empty() ? "no entity" : "no entity called '" + assignment.entity + "'";
-        throw Error("--set " + assignment.field->path, who + " carries '" + assignment.type->name + "'");
+        throw Error("--set " + assignment.field->path, who + " carries '" + type.name + "'");
     }
 }
 

@@ -22,7 +22,7 @@ template <class F> double create(std::size_t count, F make) {
 
 double create_with(std::size_t count) {
     return create(count, [count](World& world) {
-        for (std::size_t i = 0; i < count; ++i) keep(world.create_with(component<Position>(i), component<Velocity>(i)));
+        for (std::size_t i = 0; i < count; ++i) world.create_with(component<Position>(i), component<Velocity>(i));
     });
 }
 
@@ -39,8 +39,8 @@ double create_and_add(std::size_t count) {
 double create_with_five(std::size_t count) {
     return create(count, [count](World& world) {
         for (std::size_t i = 0; i < count; ++i)
-            keep(world.create_with(component<Position>(i), component<Velocity>(i), component<Extra>(i),
-                                   component<Fourth>(i), component<Fifth>(i)));
+            world.create_with(component<Position>(i), component<Velocity>(i), component<Extra>(i), component<Fourth>(i),
+                              component<Fifth>(i));
     });
 }
 

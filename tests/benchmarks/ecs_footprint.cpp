@@ -10,7 +10,7 @@ namespace {
 double bytes_per_entity(std::size_t count) {
     const std::size_t before = resident_bytes();
     World world;
-    for (std::size_t i = 0; i < count; ++i) keep(world.create_with(component<Position>(i), component<Velocity>(i)));
+    for (std::size_t i = 0; i < count; ++i) world.create_with(component<Position>(i), component<Velocity>(i));
     const std::size_t after = resident_bytes();
     return static_cast<double>(after - std::min(before, after)) / static_cast<double>(count);
 }

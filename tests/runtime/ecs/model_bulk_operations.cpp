@@ -10,14 +10,15 @@
 namespace hachure::test::model {
 
 void Twins::rarely() {
+    if (full() && once_in(2)) return destroy_many(); // or nothing would be created in bulk any more
     const auto dice = pick(1000);
     if (dice < 300) return create_many();
     if (dice < 600) return create_each();
     if (dice < 800) return destroy_many();
-    if (dice < 940) return destroy_matching();
-    if (dice < 970) return move_world();
-    if (dice < 980) return clear();
-    if (dice < 990) return restore_entities();
+    if (dice < 900) return destroy_matching();
+    if (dice < 930) return move_world();
+    if (dice < 940) return clear();
+    if (dice < 970) return restore_entities();
     begin_again_with_same_handles();
 }
 

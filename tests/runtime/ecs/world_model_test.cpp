@@ -1,4 +1,4 @@
-// The world against a model of it made of std::map, under random operations. HACHURE_ECS_OPERATIONS (default 10000 per
+// The world against a model of it made of std::map, under random operations. HACHURE_ECS_OPERATIONS (default 20000 per
 // seed) and HACHURE_ECS_SEED (default: four fixed seeds) widen or repeat the search.
 
 #include <hachure/tests/runtime/ecs/model_twins.h>
@@ -34,7 +34,7 @@ void run(std::uint64_t seed, std::uint64_t operations) {
 }
 
 TEST(WorldModelTest, BehavesAsTheModel) {
-    const std::uint64_t operations = from_environment("HACHURE_ECS_OPERATIONS", 10'000);
+    const std::uint64_t operations = from_environment("HACHURE_ECS_OPERATIONS", 20'000);
     const std::uint64_t fixed = from_environment("HACHURE_ECS_SEED", 0);
     for (const std::uint64_t seed : fixed ? std::vector{fixed} : std::vector<std::uint64_t>{1, 2, 3, 4}) {
         run(seed, operations);
