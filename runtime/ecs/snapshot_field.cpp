@@ -27,6 +27,18 @@ template <class Real> bool all_in_range(const FieldInfo& field, Bytes values) {
     return fine;
 }
 
+/// Whether the quaternions are well within what FieldInfo::fault takes for length 1.
+bool all_of_length_one(Bytes values) {
+    bool fine = true;
+    for (std::size_t at = 0; at < values.size(); at += 4 * sizeof(float)) {
+        float q[4];
+        std::memcpy(q, values.data() + at, sizeof q);
+        const float square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+        fine &= square >= 0.999f && square <= 1.001f;
+    }
+    return fine;
+}
+
 /// Quick checks of many values. False means: look closer.
 bool surely_fine(const FieldInfo& field, ValueCode code, Bytes values) {
     switch (code) {
@@ -44,6 +56,8 @@ bool surely_fine(const FieldInfo& field, ValueCode code, Bytes values) {
         return !field.range;
     case ValueCode::boolean:
         return std::ranges::all_of(values, [](std::byte byte) { return byte <= std::byte{1}; });
+    case ValueCode::quaternion:
+        return all_of_length_one(values);
     case ValueCode::text:
         return true;
     default:
@@ -68,7 +82,7 @@ FieldValue convert(const Column& column, const FieldInfo& field, ValueCode code,
     const auto converted = column.code == code ? value : convert_number(*value, code);
     if (!converted)
         fail(field, subject,
-             fmt::format("a {} of the snapshot does not fit a {}", to_string(column.code), to_string(code)));
+             fmt::format("{} of the snapshot does not fit {} here", to_string(column.code), to_string(code)));
     if (const std::string fault = field.fault(*converted); !fault.empty()) fail(field, subject, fault);
     return *converted;
 }
@@ -110,8 +124,7 @@ std::string values_fault(const FieldInfo& field, std::uint32_t count, Bytes valu
 FieldColumn match_field(const Column& column, const FieldInfo& field, std::string_view subject, ColumnArena& arena) {
     const ValueCode code = value_code(field);
     if (!is_convertible(column.code, code))
-        fail(field, subject,
-             fmt::format("is a {} in the snapshot and a {} here", to_string(column.code), to_string(code)));
+        fail(field, subject, fmt::format("is {} in the snapshot and {} here", to_string(column.code), to_string(code)));
     FieldColumn result{&field, code, column.given, column.values, column.default_value, false};
     if (!same_form(column, field, code)) {
         result = convert(column, field, code, subject, arena);
