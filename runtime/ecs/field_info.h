@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -78,6 +79,9 @@ struct FieldInfo {
     std::function<FieldValue(const void*)> read;
     std::function<void(void*, const FieldValue&)> write;
 };
+
+/// Some fields of one type with their values. They point into its TypeInfo.
+using FieldValues = std::vector<std::pair<const FieldInfo*, FieldValue>>;
 
 namespace detail {
 
