@@ -28,12 +28,7 @@ public:
 
     std::size_t size() const { return out_->size(); }
 
-    void bytes(Bytes bytes) {
-        if (bytes.empty()) return;
-        const std::size_t at = out_->size();
-        out_->resize(at + bytes.size());
-        std::memcpy(out_->data() + at, bytes.data(), bytes.size());
-    }
+    void bytes(Bytes bytes);
 
     template <class T>
     requires std::is_trivially_copyable_v<T>

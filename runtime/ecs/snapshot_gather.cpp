@@ -13,7 +13,7 @@ struct Gather {
     std::span<const void* const> components;
     Bytes default_value; ///< as it lies in memory
     Bits& given;
-    std::vector<std::byte>& values;
+    std::vector<std::byte>& values; ///< holds anything before
 
     const std::byte* member(std::size_t row) const {
         return static_cast<const std::byte*>(components[row]) + field.offset;
@@ -40,6 +40,7 @@ template <std::size_t width> void gather_plain(const Gather& job) {
 
 void gather_text(const Gather& job) {
     const auto& same = std::get<std::string>(job.field.default_value);
+    job.values.clear();
     ByteWriter out(job.values);
     for (std::size_t row = 0; row < job.components.size(); ++row) {
         const auto& text = *reinterpret_cast<const std::string*>(job.member(row));
@@ -61,6 +62,7 @@ std::uint64_t enumerator(const Gather& job, std::size_t row) {
 void gather_enumeration(const Gather& job) {
     std::uint16_t same = 0;
     std::memcpy(&same, job.default_value.data(), sizeof same);
+    job.values.clear();
     ByteWriter out(job.values);
     for (std::size_t row = 0; row < job.components.size(); ++row) {
         const auto index = static_cast<std::uint16_t>(enumerator(job, row));
@@ -99,7 +101,6 @@ void write_field_column(ByteWriter& out, const FieldInfo& field, std::span<const
     ByteWriter defaults(default_value);
     encode_value(defaults, code, field.default_value, options);
     Bits given(static_cast<std::uint32_t>(components.size()));
-    scratch.clear();
     gather(code, {field, components, default_value, given, scratch});
     std::uint32_t count = 0;
     for (const std::uint64_t word : given.words()) count += static_cast<std::uint32_t>(std::popcount(word));

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace hachure {
@@ -21,31 +22,31 @@ struct Carriers {
     std::vector<const void*> components;
 };
 
-struct Carrier {
-    std::uint32_t place;
-    const void* component;
-};
+void sort(Carriers& carriers) {
+    if (std::ranges::is_sorted(carriers.places)) return;
+    std::vector<std::pair<std::uint32_t, const void*>> pairs;
+    pairs.reserve(carriers.places.size());
+    for (std::size_t i = 0; i < carriers.places.size(); ++i)
+        pairs.emplace_back(carriers.places[i], carriers.components[i]);
+    std::ranges::sort(pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i) std::tie(carriers.places[i], carriers.components[i]) = pairs[i];
+}
 
 Carriers find_carriers(const World& world, const TypeInfo& type, const LiveEntities& live) {
-    struct Found {
+    struct Search {
         const LiveEntities& live;
-        std::vector<Carrier> carriers;
-    } found{live, {}};
+        Carriers found;
+    } search{live, {}};
     type.each(
         world,
         [](void* context, Entity entity, const void* component) {
-            auto& [entities, carriers] = *static_cast<Found*>(context);
-            carriers.push_back({entities.place[entity.index], component});
+            auto& [entities, found] = *static_cast<Search*>(context);
+            found.places.push_back(entities.place[entity.index]);
+            found.components.push_back(component);
         },
-        &found);
-    if (!std::ranges::is_sorted(found.carriers, {}, &Carrier::place))
-        std::ranges::sort(found.carriers, {}, &Carrier::place);
-    Carriers result;
-    for (const Carrier& carrier : found.carriers) {
-        result.places.push_back(carrier.place);
-        result.components.push_back(carrier.component);
-    }
-    return result;
+        &search);
+    sort(search.found);
+    return std::move(search.found);
 }
 
 class SnapshotWriter {
@@ -86,7 +87,8 @@ private:
         if (const auto* unknown = world_.find_resource<UnknownComponents>()) read_unknown(*unknown);
         for (const auto& [name, block] : unknown_) names[name] = nullptr;
         for (const TypeInfo& type : types_.types()) names[type.name] = &type;
-        for (const auto& [name, type] : names) {
+        for (const auto& [name, named] : names) {
+            const TypeInfo* type = named; // clang 14 lets no lambda capture a structured binding
             const Carriers carriers = type ? find_carriers(world_, *type, live_) : Carriers{};
             const Unknown* unknown = unknown_.contains(name) ? &unknown_.at(name) : nullptr;
             if (!carriers.places.empty())
@@ -118,6 +120,7 @@ private:
                 if (fields.try_emplace(column.name, nullptr).second) others[column.name] = &column;
         Bits rows(live_.count());
         for (const std::uint32_t place : carriers.places) rows.set(place);
+        make_room(carriers.places.size() * type.size);
         write_type_head(out_, type.name, rows, fields.size());
         const std::vector<std::uint32_t> new_row =
             others.empty() ? std::vector<std::uint32_t>{} : rows_among(unknown->block, carriers.places);
@@ -164,6 +167,12 @@ private:
     std::uint32_t place_of_former(std::uint32_t former) const {
         const Entity entity = former_->entities[former];
         return world_.alive(entity) ? live_.place[entity.index] : LiveEntities::nowhere;
+    }
+
+    /// So that a large type is not copied several times while the vector grows.
+    void make_room(std::size_t bytes) {
+        if (const std::size_t needed = bytes_.size() + bytes; needed > bytes_.capacity())
+            bytes_.reserve(std::max(needed, 2 * bytes_.capacity()));
     }
 
     const World& world_;
