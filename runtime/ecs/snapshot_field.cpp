@@ -74,6 +74,16 @@ std::vector<std::byte> encoded(const FieldInfo& field, ValueCode code, const Fie
     return result;
 }
 
+/// Many rows may share one long text of a snapshot; in the world each has its own.
+constexpr std::uint64_t max_default_text_bytes = std::uint64_t{1} << 28;
+
+void check_default_size(const FieldColumn& column, std::string_view subject) {
+    const std::uint64_t rows = column.given.of - column.given.count;
+    if (column.code == ValueCode::text && column.default_value.size() * rows > max_default_text_bytes)
+        fail(*column.field, subject,
+             fmt::format("{} components with {} bytes of text are too many", rows, column.default_value.size()));
+}
+
 /// Turns one value of the column into one of the field.
 FieldValue convert(const Column& column, const FieldInfo& field, ValueCode code, Bytes bytes,
                    std::string_view subject) {
@@ -136,6 +146,7 @@ FieldColumn match_field(const Column& column, const FieldInfo& field, std::strin
     // The default of a column that gives every row a value is nobody's.
     if (column.given.count < column.given.of)
         result.other_default = !std::ranges::equal(result.default_value, encoded(field, code, field.default_value));
+    if (result.other_default) check_default_size(result, subject);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <iterator>
 
 namespace hachure::test {
 namespace {
@@ -60,6 +61,22 @@ TEST_F(SnapshotBrokenTest, AnyAlteredByteWithAFittingChecksumIsRefusedOrHarmless
             ASSERT_EQ(look(again, types), look(target, types)) << at;
         }
     EXPECT_GT(restored, 100u);
+    EXPECT_GT(refused, 100u);
+}
+
+TEST_F(SnapshotBrokenTest, NumbersWrittenOverItAreRefusedOrHarmless) {
+    std::mt19937 random(5);
+    const std::uint32_t likely[] = {0, 1, 2, 7, 255, 256, 65'535, 0x7fff'ffff, 0xffff'fffe, 0xffff'ffff, 0x7fc0'0000};
+    std::size_t refused = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Snapshot altered = snapshot;
+        for (auto n = 1 + random() % 3; n > 0; --n) {
+            const std::size_t at = random() % (altered.size() - 8);
+            std::memcpy(altered.data() + at, &likely[random() % std::size(likely)], 1 + random() % 4);
+        }
+        seal(altered);
+        refused += !restore_fault(world, types, altered, true).empty();
+    }
     EXPECT_GT(refused, 100u);
 }
 

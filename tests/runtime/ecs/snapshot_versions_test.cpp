@@ -214,6 +214,32 @@ TEST_F(SnapshotVersionsTest, OtherKindsAndForbiddenValuesAreRefused) {
     EXPECT_EQ((passed<Old<float>, Narrow>({0.5f})), "0.5");
 }
 
+struct Wordy {
+    std::string value = std::string(1 << 20, 'x');
+};
+void reflect(TypeBuilder<Wordy>& type) { type.name("one").field("value", &Wordy::value); }
+
+TEST_F(SnapshotVersionsTest, ALongDefaultIsNotMultipliedBeyondReason) {
+    const TypeRegistry before = registry_of<Wordy>(), after = registry_of<Old<std::string>>();
+    World few;
+    few.create_with(Wordy{});
+    const Snapshot one = save_snapshot(few, before);
+    restore_snapshot(few, after, one);
+    EXPECT_EQ(few.get<Old<std::string>>({0, 1}).value, Wordy{}.value);
+
+    World wide;
+    wide.create_many(1000);
+    const Snapshot entities = save_snapshot(wide, before); // its frame, entities and tree, then the other's component
+    World none;
+    none.create();
+    const std::size_t begin = save_snapshot(none, before).size() - 4;
+    Snapshot bomb(entities.begin(), entities.end() - 4);
+    bomb.insert(bomb.end(), one.begin() + static_cast<std::ptrdiff_t>(begin), one.end());
+    seal(bomb);
+    EXPECT_EQ(restore_fault(wide, after, bomb),
+              "snapshot: one.value: 1000 components with 1048576 bytes of text are too many");
+}
+
 struct Three {
     Lens value = Lens::perspective;
 };
