@@ -91,7 +91,7 @@ private:
             const TypeInfo* type = named; // clang 14 lets no lambda capture a structured binding
             const Carriers carriers = type ? find_carriers(world_, *type, live_) : Carriers{};
             const Unknown* unknown = unknown_.contains(name) ? &unknown_.at(name) : nullptr;
-            if (!carriers.places.empty())
+            if (type && !carriers.places.empty())
                 section(SnapshotSection::component, [&] { write_known(*type, carriers, unknown); });
             else if (unknown && unknown->whole)
                 write_unknown(unknown->block);
