@@ -15,9 +15,9 @@ find_package(ZLIB REQUIRED)
 include(HachurePackageFixes)
 
 function(hachure_link_dependencies target)
-  # Headers of the house name GLM and fmt types; the rest stays behind the .cpp files.
+  # Headers of the house name GLM, fmt and JSON types; the rest stays behind the .cpp files.
   target_link_libraries(${target}
-    PUBLIC glm::glm fmt::fmt Threads::Threads
+    PUBLIC glm::glm fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
     PRIVATE glfw OpenGL::EGL OSMesa::OSMesa OpenImageIO::OpenImageIO TinyGLTF::TinyGLTF
-      meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json TBB::tbb ZLIB::ZLIB ${CMAKE_DL_LIBS})
+      meshoptimizer::meshoptimizer TBB::tbb ZLIB::ZLIB ${CMAKE_DL_LIBS})
 endfunction()

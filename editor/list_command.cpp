@@ -1,3 +1,4 @@
+#include <hachure/editor/component_reference.h>
 #include <hachure/editor/list_command.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/app/app.h>
@@ -57,13 +58,19 @@ void list_systems(App& app) {
 void add_list_command(CLI::App& app, ListOptions& options) {
     CLI::App* command = app.add_subcommand("list", "List the styles, components, AOVs or systems that there are");
     command->add_option("KIND", options.what, "styles, components, aovs or systems")->required();
+    command->add_flag("--markdown", options.markdown,
+                      "Print the reference page of the components (docs/components.md)");
 }
 
 int run_list(const ListOptions& options) {
+    if (options.markdown && options.what != "components")
+        throw UsageError("list: --markdown is for components, not for '" + options.what + "'");
     App app;
     register_capabilities(app);
     if (options.what == "styles")
         list_styles(app);
+    else if (options.markdown)
+        print(component_reference(app.types()));
     else if (options.what == "components")
         list_components(app);
     else if (options.what == "aovs")

@@ -63,6 +63,12 @@ std::string quaternion_fault(const glm::quat& q) {
     return std::abs(std::sqrt(square) - 1.0) <= 1e-3 ? std::string() : "a rotation is a quaternion of length 1";
 }
 
+std::string entity_fault(Entity entity) {
+    return entity == Entity::null || (entity && entity.generation > 0)
+               ? std::string()
+               : fmt::format("{} is no handle of a world", to_string(entity));
+}
+
 std::string option_fault(const FieldInfo& field, const std::string& name) {
     if (std::ranges::find(field.options, name) != field.options.end()) return {};
     return fmt::format("\"{}\" is none of {}", name.substr(0, 60), fmt::join(field.options, ", "));
@@ -71,8 +77,8 @@ std::string option_fault(const FieldInfo& field, const std::string& name) {
 } // namespace
 
 std::string_view to_string(FieldKind kind) {
-    constexpr std::array<std::string_view, 10> names{"boolean", "integer",    "real",  "vec2", "vec3",
-                                                     "vec4",    "quaternion", "color", "text", "enumeration"};
+    constexpr std::array<std::string_view, 11> names{"boolean",    "integer", "real", "vec2",        "vec3",  "vec4",
+                                                     "quaternion", "color",   "text", "enumeration", "entity"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -103,6 +109,7 @@ std::string FieldInfo::fault(const FieldValue& value) const {
         std::string operator()(const glm::vec3& vector) const { return vector_fault<3>(field, vector); }
         std::string operator()(const glm::vec4& vector) const { return vector_fault<4>(field, vector); }
         std::string operator()(const glm::quat& q) const { return quaternion_fault(q); }
+        std::string operator()(Entity entity) const { return entity_fault(entity); }
         std::string operator()(const std::string& text) const {
             return field.kind == FieldKind::enumeration ? option_fault(field, text) : std::string();
         }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hachure/runtime/ecs/entity.h>
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -12,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,15 +32,16 @@ enum class FieldKind {
     color,      ///< vec3 or vec4 (with alpha), linear light
     text,
     enumeration, ///< one of FieldInfo::options
+    entity,      ///< a handle; null, and one that is dead by now, are values too
 };
 
 /// The kind as it is spelled above.
 std::string_view to_string(FieldKind kind);
 
 /// The value of any field. Boolean: bool. Integer: int64 or, for unsigned fields, uint64. Real: double. Vectors and
-/// colours: the vector of their size. Text and enumeration (the name of the option): string.
-using FieldValue =
-    std::variant<bool, std::int64_t, std::uint64_t, double, glm::vec2, glm::vec3, glm::vec4, glm::quat, std::string>;
+/// colours: the vector of their size. Text and enumeration (the name of the option): string. Entity: Entity.
+using FieldValue = std::variant<bool, std::int64_t, std::uint64_t, double, glm::vec2, glm::vec3, glm::vec4, glm::quat,
+                                std::string, Entity>;
 
 /// Inclusive; either end may be infinite.
 struct FieldRange {
@@ -56,6 +60,8 @@ struct FieldInfo {
     std::optional<FieldRange> range;  ///< of an integer, a real, or each element of a vector
     std::vector<std::string> options; ///< of an enumeration, in the order of its enumerators from 0
     FieldValue default_value;         ///< in a default-constructed component
+    std::size_t offset = 0;           ///< of the member in the component, in bytes: for what moves many values at once
+    std::size_t size = 0;             ///< of the member, in bytes
 
     /// The field's value in `component`, which is of the type that this field belongs to.
     FieldValue get(const void* component) const;
@@ -65,13 +71,17 @@ struct FieldInfo {
 
     /// What is wrong with `value` for this field, in words that follow the field's name; empty when it is fine. Wrong
     /// are: another alternative than default_value has, numbers that are not finite, outside the range or too large
-    /// for the field, a quaternion that is not of length 1 (to 1e-3), an option that does not exist.
+    /// for the field, a quaternion that is not of length 1 (to 1e-3), an option that does not exist, and a handle that
+    /// no world gives out.
     std::string fault(const FieldValue& value) const;
 
     // Raw access, an enumeration as the int64 of its enumerator. Set by TypeBuilder; use get and set.
     std::function<FieldValue(const void*)> read;
     std::function<void(void*, const FieldValue&)> write;
 };
+
+/// Some fields of one type with their values. They point into its TypeInfo.
+using FieldValues = std::vector<std::pair<const FieldInfo*, FieldValue>>;
 
 namespace detail {
 
@@ -97,6 +107,8 @@ template <class M> constexpr FieldKind field_kind() {
         return FieldKind::vec4;
     else if constexpr (std::is_same_v<M, glm::quat>)
         return FieldKind::quaternion;
+    else if constexpr (std::is_same_v<M, Entity>)
+        return FieldKind::entity;
     else {
         static_assert(std::is_same_v<M, std::string>, "no field may have this type");
         return FieldKind::text;

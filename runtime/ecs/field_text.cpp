@@ -75,6 +75,15 @@ glm::vec4 parse_hex_color(const FieldInfo& field, std::string_view text, bool wi
             static_cast<float>(bytes & 0xff) / 255.0f};
 }
 
+/// As to_string(Entity) writes it.
+Entity parse_entity(const FieldInfo& field, std::string_view text) {
+    if (text == "null") return Entity::null;
+    const std::size_t v = text.find('v');
+    if (v == text.npos) fail(field, text, "is neither null nor a handle such as 12v3");
+    return {parse_number<std::uint32_t>(field, text.substr(0, v)),
+            parse_number<std::uint32_t>(field, text.substr(v + 1))};
+}
+
 /// Reads the alternative of FieldValue that `Value` is.
 struct Parse {
     const FieldInfo& field;
@@ -109,6 +118,7 @@ struct Parse {
         const auto [x, y, z, w] = parse_numbers<4>(field, bare);
         return glm::quat(w, x, y, z);
     }
+    FieldValue operator()(Entity) const { return parse_entity(field, bare); }
     FieldValue operator()(const std::string&) const {
         return std::string(field.kind == FieldKind::enumeration ? bare : text);
     }
@@ -130,6 +140,7 @@ struct Format {
     std::string operator()(const glm::vec4& v) const { return fmt::format("{} {} {} {}", v.x, v.y, v.z, v.w); }
     std::string operator()(const glm::quat& q) const { return fmt::format("{} {} {} {}", q.x, q.y, q.z, q.w); }
     std::string operator()(const std::string& value) const { return value; }
+    std::string operator()(Entity value) const { return to_string(value); }
 };
 
 } // namespace

@@ -41,7 +41,8 @@ FieldBuilder& FieldBuilder::unit(std::string_view text) {
 FieldBuilder& FieldBuilder::range(double min, double max) {
     HACHURE_ASSERT(min <= max, "a range is not empty");
     HACHURE_ASSERT(field_->kind != FieldKind::boolean && field_->kind != FieldKind::text &&
-                       field_->kind != FieldKind::enumeration && field_->kind != FieldKind::quaternion,
+                       field_->kind != FieldKind::enumeration && field_->kind != FieldKind::quaternion &&
+                       field_->kind != FieldKind::entity,
                    "a range is for numbers, vectors and colours");
     field_->range = FieldRange{min, max};
     return *this;
@@ -72,6 +73,9 @@ const TypeInfo* TypeRegistry::find(detail::TypeId component) const {
 const TypeInfo& TypeRegistry::insert(TypeInfo type, const void* defaults) {
     HACHURE_ASSERT(is_name(type.name), "a type has a name in lower case with underscores");
     HACHURE_ASSERT(!find(type.name), "a type's name is its own");
+    type.id = type_hash(type.name);
+    HACHURE_ASSERT(std::ranges::find(types_, type.id, &TypeInfo::id) == types_.end(),
+                   "two names of types have the same hash; rename one");
     for (FieldInfo& field : type.fields) complete(field, type, defaults);
     return types_.emplace_back(std::move(type));
 }

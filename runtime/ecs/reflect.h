@@ -3,11 +3,16 @@
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/ecs/field_info.h>
 #include <hachure/runtime/ecs/field_text.h>
+#include <hachure/runtime/ecs/type_hash.h>
 #include <hachure/runtime/ecs/world.h>
 
+#include <algorithm>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,12 +20,18 @@
 
 namespace hachure {
 
+// What TypeInfo calls back; `context` is the caller's own.
+using ComponentVisit = void (*)(void* context, Entity entity, const void* component);
+using ComponentFill = void (*)(void* context, std::size_t first, std::size_t count, void* components);
+
 /// A reflected component type: how users see it, and access to it in a world without knowing the type. Pointers to
 /// components hold until the next structural change, and give `FieldInfo::get` and `set` what they work on.
 struct TypeInfo {
     std::string name; ///< lower case with underscores; its own among the types of a registry
     std::string doc;  ///< one line
     std::vector<FieldInfo> fields;
+    std::uint64_t id = 0; ///< type_hash(name): the same in every build; its own among the types of a registry
+    std::size_t size = 0; ///< of a component, in bytes
 
     /// Null when there is no such field.
     const FieldInfo* field(std::string_view field_name) const;
@@ -35,6 +46,16 @@ struct TypeInfo {
 
     /// Every entity that has the component.
     std::vector<Entity> (*entities)(const World& world) = nullptr;
+
+    // For many components at once.
+
+    /// Calls `visit(context, entity, component)` for every entity that has the component.
+    void (*each)(const World& world, ComponentVisit visit, void* context) = nullptr;
+
+    /// As World::add for each of `entities`, in order. Components are made in blocks: `fill(context, first, count,
+    /// components)` gives `count` default-constructed ones, `size` bytes apart, their values before they move to
+    /// `entities[first]` and those that follow it.
+    void (*add_many)(World& world, std::span<const Entity> entities, ComponentFill fill, void* context) = nullptr;
 
     detail::TypeId component = 0; ///< tells types apart within one process
 };
@@ -66,11 +87,12 @@ private:
 ///         type.field("b", &Gooch::b).doc("strength of the blue").range(0, 1);
 ///     }
 ///
-/// Fields are bool, 32 and 64 bit integers, float, double, glm::vec2, vec3, vec4 and quat, std::string, and
+/// Fields are bool, 32 and 64 bit integers, float, double, glm::vec2, vec3, vec4 and quat, std::string, Entity, and
 /// enumerations.
 template <Component C> class TypeBuilder {
 public:
-    explicit TypeBuilder(TypeInfo& type) : type_(&type) {}
+    /// `defaults` is a default-constructed component.
+    TypeBuilder(TypeInfo& type, const C& defaults) : type_(&type), defaults_(&defaults) {}
 
     TypeBuilder& name(std::string_view text) {
         type_->name = text;
@@ -88,6 +110,9 @@ public:
         field.name = name;
         field.kind = detail::field_kind<M>();
         field.bits = detail::field_bits<M>();
+        field.offset = static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&(defaults_->*member)) -
+                                                reinterpret_cast<const std::byte*>(defaults_));
+        field.size = sizeof(M);
         field.read = [member](const void* component) {
             return FieldValue(static_cast<Carrier>(static_cast<const C*>(component)->*member));
         };
@@ -99,7 +124,26 @@ public:
 
 private:
     TypeInfo* type_;
+    const C* defaults_;
 };
+
+namespace detail {
+
+template <Component C>
+void add_many(World& world, std::span<const Entity> entities, ComponentFill fill, void* context) {
+    // Small enough for the cache, large enough to forget the price of the call.
+    constexpr std::size_t block = std::max<std::size_t>(1, 16384 / sizeof(C));
+    std::vector<C> components;
+    for (std::size_t first = 0; first < entities.size(); first += block) {
+        const std::size_t count = std::min(block, entities.size() - first);
+        components.clear();
+        components.resize(count);
+        fill(context, first, count, components.data());
+        for (std::size_t i = 0; i < count; ++i) world.add<C>(entities[first + i], std::move(components[i]));
+    }
+}
+
+} // namespace detail
 
 /// The reflected component types of a program.
 class TypeRegistry {
@@ -130,8 +174,10 @@ requires std::default_initializable<C>
 const TypeInfo& TypeRegistry::add() {
     if (const TypeInfo* known = find(detail::component_id<C>())) return *known;
     TypeInfo type;
-    TypeBuilder<C> builder(type);
+    const C defaults{};
+    TypeBuilder<C> builder(type, defaults);
     reflect(builder);
+    type.size = sizeof(C);
     type.component = detail::component_id<C>();
     type.find = [](const World& world, Entity entity) -> const void* { return world.find<C>(entity); };
     type.find_mutable = [](World& world, Entity entity) -> void* { return world.find_mutable<C>(entity); };
@@ -142,7 +188,10 @@ const TypeInfo& TypeRegistry::add() {
         world.query<With<C>>().each([&result](Entity entity) { result.push_back(entity); });
         return result;
     };
-    const C defaults{};
+    type.each = [](const World& world, ComponentVisit visit, void* context) {
+        world.query<const C>().each([&](Entity entity, const C& component) { visit(context, entity, &component); });
+    };
+    type.add_many = &detail::add_many<C>;
     return insert(std::move(type), &defaults);
 }
 

@@ -1,6 +1,7 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/assets/text_file.h>
+#include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/styles/style.h>
 
@@ -15,39 +16,11 @@ using nlohmann::json;
 
 constexpr std::size_t max_style_bytes = std::size_t{1} << 20;
 
-/// JSON values of vectors are arrays of numbers; everything else is what the command line would say.
-std::string field_text(std::string_view subject, const json& value, const std::string& pointer) {
-    if (value.is_string()) return value.get<std::string>();
-    if (value.is_boolean() || value.is_number()) return value.dump();
-    if (!value.is_array() || value.empty() || value.size() > 4)
-        throw Error(subject, "is not a value of a field", pointer);
-    std::string text;
-    for (const json& element : value) {
-        if (!element.is_number()) throw Error(subject, "is not a number", pointer);
-        text += (text.empty() ? "" : " ") + element.dump();
-    }
-    return text;
-}
-
 StyleComponent parse_component(const TypeRegistry& types, std::string_view subject, const std::string& name,
                                const json& fields, const std::string& pointer) {
     const TypeInfo* type = types.find(name);
     if (!type) throw Error(subject, "there is no component '" + name + "'", pointer);
-    if (!fields.is_object()) throw Error(subject, "the fields of a component are an object", pointer);
-    StyleComponent result{name, {}};
-    for (const auto& [field_name, value] : fields.items()) {
-        const std::string field_pointer = pointer + "/" + field_name;
-        const FieldInfo* field = type->field(field_name);
-        if (!field) throw Error(subject, "component '" + name + "' has no field '" + field_name + "'", field_pointer);
-        try {
-            result.fields.emplace_back(field_name, parse_field(*field, field_text(subject, value, field_pointer)));
-        } catch (const Error& error) {
-            const std::string fault = error.what();
-            if (fault.starts_with(subject)) throw;
-            throw Error(subject, fault, field_pointer);
-        }
-    }
-    return result;
+    return {type, fields_from_json(*type, fields, {subject, pointer})};
 }
 
 std::vector<StyleComponent> parse_components(const TypeRegistry& types, std::string_view subject, const json& style,
@@ -62,12 +35,10 @@ std::vector<StyleComponent> parse_components(const TypeRegistry& types, std::str
     return result;
 }
 
-void add_components(World& world, const TypeRegistry& types, Entity entity,
-                    std::span<const StyleComponent> components) {
+void add_components(World& world, Entity entity, std::span<const StyleComponent> components) {
     for (const StyleComponent& component : components) {
-        const TypeInfo* type = types.find(component.component);
-        void* value = type->add_default(world, entity);
-        for (const auto& [field, field_value] : component.fields) type->field(field)->set(value, field_value);
+        void* value = component.type->add_default(world, entity);
+        for (const auto& [field, field_value] : component.fields) field->set(value, field_value);
     }
 }
 
@@ -110,10 +81,8 @@ Style find_style(const TypeRegistry& types, std::string_view name_or_path) {
 }
 
 void apply_style(World& world, const TypeRegistry& types, const Style& style) {
-    for (const Entity entity : types.find("surface")->entities(world))
-        add_components(world, types, entity, style.surface);
-    for (const Entity entity : types.find("camera")->entities(world))
-        add_components(world, types, entity, style.camera);
+    for (const Entity entity : types.find("surface")->entities(world)) add_components(world, entity, style.surface);
+    for (const Entity entity : types.find("camera")->entities(world)) add_components(world, entity, style.camera);
 }
 
 } // namespace hachure

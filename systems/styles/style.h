@@ -6,15 +6,14 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace hachure {
 
 /// Components, with field values, that a style puts on the entities of one kind.
 struct StyleComponent {
-    std::string component;                                  ///< as the TypeRegistry knows it
-    std::vector<std::pair<std::string, FieldValue>> fields; ///< the others keep their defaults
+    const TypeInfo* type; ///< of the registry that the style was read with
+    FieldValues fields;   ///< the others keep their defaults
 };
 
 /// A look, as data: what every surface carries and what the camera carries. A preset file is JSON:

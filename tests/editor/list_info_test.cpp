@@ -2,6 +2,8 @@
 #include <hachure/tests/editor/program.h>
 #include <hachure/tests/support/glb_file.h>
 
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -37,6 +39,22 @@ TEST(List, ComponentsWithTheirFields) {
     EXPECT_NE(field.find("rad"), std::string::npos) << field;
     EXPECT_NE(field.find("default 0.6"), std::string::npos) << field;
     EXPECT_NE(line_of(lines, "  projection").find("perspective|orthographic"), std::string::npos);
+}
+
+TEST(List, TheReferencePageOfComponentsIsCurrent) {
+    std::ifstream stream(HACHURE_SOURCE_DIR "/docs/components.md", std::ios::binary);
+    const std::string page{std::istreambuf_iterator<char>(stream), {}};
+    const TempFolder folder;
+    const ProcessResult result = forked_command({"list", "components", "--markdown"}, folder.path());
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_NE(result.out.find("| `yfov` | real, 32 bits | rad | 0.001 to 3.13 | `0.6` |"), std::string::npos);
+    EXPECT_TRUE(page == result.out)
+        << "renew it: build/release/hachure list components --markdown > docs/components.md";
+}
+
+TEST(List, MarkdownIsForComponents) {
+    const TempFolder folder;
+    EXPECT_EQ(forked_command({"list", "styles", "--markdown"}, folder.path()).exit_code, 2);
 }
 
 TEST(List, Aovs) {

@@ -47,6 +47,8 @@ TEST_F(FieldTextTest, ReadsWhatUsersWrite) {
     EXPECT_EQ(parse("title", "  a, b #1 "), FieldValue(std::string("  a, b #1 "))) << "text is kept as it is";
     EXPECT_EQ(parse("title", ""), FieldValue(std::string()));
     EXPECT_EQ(parse("lens", " fisheye "), FieldValue(std::string("fisheye")));
+    EXPECT_EQ(parse("target", " null "), FieldValue(Entity::null));
+    EXPECT_EQ(parse("target", "12v3"), FieldValue(Entity{12, 3}));
 }
 
 TEST_F(FieldTextTest, ReadsHexColorsAsLinearLight) {
@@ -88,6 +90,11 @@ TEST_F(FieldTextTest, SaysWhatIsWrong) {
     fails("paint", "#ff880080", "everything.paint: \"#ff880080\" is not #rrggbb");
     fails("glaze", "#gg0000", "everything.glaze: \"#gg0000\" is neither #rrggbb nor #rrggbbaa");
     fails("paint", "#-12345", "everything.paint: \"#-12345\" is not #rrggbb");
+    fails("target", "12", "everything.target: \"12\" is neither null nor a handle such as 12v3");
+    fails("target", "12v", "everything.target: \"\" is no integer");
+    fails("target", "12v0", "everything.target: 12v0 is no handle of a world");
+    fails("target", "4294967295v1", "everything.target: null is no handle of a world");
+    fails("target", "12v4294967296", "everything.target: \"4294967296\" is too large or too small");
     fails("lens", "Fisheye", "everything.lens: \"Fisheye\" is none of perspective, orthographic, fisheye");
 }
 
@@ -109,6 +116,7 @@ TEST_F(FieldTextTest, WritesTheFewestSignificantDigits) {
     EXPECT_EQ(format("plane", glm::vec4(0, 1, -0.5f, 1e20f)), "0 1 -0.5 1e+20");
     EXPECT_EQ(format("rotation", glm::quat(1, 0, 0, 0)), "0 0 0 1");
     EXPECT_EQ(format("lens", std::string("fisheye")), "fisheye");
+    EXPECT_EQ(format("target", Entity{12, 3}), "12v3");
 }
 
 TEST_F(FieldTextTest, DefaultsComeBack) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <string>
@@ -30,6 +31,55 @@ protected:
         return *found;
     }
 };
+
+TEST_F(ReflectTest, KnowsATypeByTheHashOfItsName) {
+    // The vectors that the authors of FNV publish.
+    static_assert(type_hash("") == 0xcbf29ce484222325u);
+    static_assert(type_hash("a") == 0xaf63dc4c8601ec8cu);
+    static_assert(type_hash("foobar") == 0x85944171f73967e8u);
+    EXPECT_EQ(type_hash("\xff"), 0xaf64724c8602eb6eu) << "bytes are unsigned";
+    EXPECT_EQ(type.id, type_hash("everything"));
+    EXPECT_EQ(type.size, sizeof(Everything));
+}
+
+TEST_F(ReflectTest, KnowsWhereMembersLie) {
+    for (const FieldInfo& info : type.fields) EXPECT_LE(info.offset + info.size, type.size) << info.name;
+    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+    EXPECT_EQ(bytes + field("ratio").offset, reinterpret_cast<const std::byte*>(&value.ratio));
+    EXPECT_EQ(bytes + field("lens").offset, reinterpret_cast<const std::byte*>(&value.lens));
+    EXPECT_EQ(field("lens").size, sizeof(Lens));
+}
+
+TEST_F(ReflectTest, ReachesManyComponentsAtOnce) {
+    World world;
+    const std::vector<Entity> entities = world.create_many(5000);
+    world.advance_tick();
+    type.add_many(
+        world, entities,
+        [](void* context, std::size_t first, std::size_t count, void* components) {
+            const auto& info = *static_cast<const TypeInfo*>(context);
+            for (std::size_t i = 0; i < count; ++i) {
+                auto* component = reinterpret_cast<Everything*>(static_cast<std::byte*>(components) + i * info.size);
+                EXPECT_EQ(component->title, "untitled");
+                component->big = static_cast<std::int64_t>(first + i);
+                component->title = "t";
+            }
+        },
+        const_cast<TypeInfo*>(&type));
+    for (std::size_t i = 0; i < entities.size(); ++i)
+        ASSERT_EQ(world.get<Everything>(entities[i]).big, static_cast<std::int64_t>(i));
+    EXPECT_EQ(world.added_tick<Everything>(entities[4999]), 2u);
+    std::vector<Entity> visited;
+    type.each(
+        world,
+        [](void* context, Entity entity, const void* component) {
+            EXPECT_EQ(static_cast<const Everything*>(component)->title, "t");
+            static_cast<std::vector<Entity>*>(context)->push_back(entity);
+        },
+        &visited);
+    std::ranges::sort(visited);
+    EXPECT_EQ(visited, entities);
+}
 
 TEST_F(ReflectTest, RegistersInOrderAndOnce) {
     registry.add<Marker>();
@@ -58,11 +108,12 @@ TEST_F(ReflectTest, DescribesFields) {
 
 TEST_F(ReflectTest, KnowsKinds) {
     const std::map<std::string, FieldKind> kinds{
-        {"on", FieldKind::boolean},  {"small", FieldKind::integer},       {"count", FieldKind::integer},
-        {"big", FieldKind::integer}, {"seed", FieldKind::integer},        {"ratio", FieldKind::real},
-        {"exact", FieldKind::real},  {"offset", FieldKind::vec2},         {"direction", FieldKind::vec3},
-        {"plane", FieldKind::vec4},  {"rotation", FieldKind::quaternion}, {"paint", FieldKind::color},
-        {"glaze", FieldKind::color}, {"title", FieldKind::text},          {"lens", FieldKind::enumeration},
+        {"on", FieldKind::boolean},    {"small", FieldKind::integer},       {"count", FieldKind::integer},
+        {"big", FieldKind::integer},   {"seed", FieldKind::integer},        {"ratio", FieldKind::real},
+        {"exact", FieldKind::real},    {"offset", FieldKind::vec2},         {"direction", FieldKind::vec3},
+        {"plane", FieldKind::vec4},    {"rotation", FieldKind::quaternion}, {"paint", FieldKind::color},
+        {"glaze", FieldKind::color},   {"title", FieldKind::text},          {"lens", FieldKind::enumeration},
+        {"target", FieldKind::entity},
     };
     ASSERT_EQ(kinds.size(), type.fields.size());
     for (const FieldInfo& info : type.fields) EXPECT_EQ(info.kind, kinds.at(info.name)) << info.name;
@@ -93,6 +144,8 @@ TEST_F(ReflectTest, WritesFields) {
     EXPECT_EQ(value.title, "a \"title\"");
     EXPECT_EQ(value.lens, Lens::fisheye);
     EXPECT_EQ(field("lens").get(&value), FieldValue(std::string("fisheye")));
+    field("target").set(&value, Entity{3, 1});
+    EXPECT_EQ(value.target, (Entity{3, 1}));
 }
 
 TEST_F(ReflectTest, RefusesFaultyValues) {
@@ -115,6 +168,8 @@ TEST_F(ReflectTest, RefusesFaultyValues) {
     refused("direction", glm::vec2(0), "everything.direction: the value is no vec3");
     refused("rotation", glm::quat(0, 0, 0, 0), "everything.rotation: a rotation is a quaternion of length 1");
     refused("rotation", glm::quat(nan, 0, 0, 0), "everything.rotation: the number is not finite");
+    refused("target", Entity{3, 0}, "everything.target: 3v0 is no handle of a world");
+    refused("target", std::string("3v1"), "everything.target: the value is no entity");
     refused("lens", std::string("mirror"), "everything.lens: \"mirror\" is none of perspective, orthographic, fisheye");
     EXPECT_EQ(field("ratio").fault(double{0.1f}), "") << "a bound is allowed in single precision too";
 }

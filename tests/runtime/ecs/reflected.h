@@ -26,6 +26,7 @@ struct Everything {
     glm::vec4 glaze{1, 1, 1, 0.5f};
     std::string title = "untitled";
     Lens lens = Lens::orthographic;
+    Entity target;
 };
 
 inline void reflect(TypeBuilder<Everything>& type) {
@@ -45,6 +46,7 @@ inline void reflect(TypeBuilder<Everything>& type) {
     type.field("glaze", &Everything::glaze).color();
     type.field("title", &Everything::title);
     type.field("lens", &Everything::lens).options({"perspective", "orthographic", "fisheye"});
+    type.field("target", &Everything::target);
 }
 
 struct Marker {};
