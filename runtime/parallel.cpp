@@ -131,10 +131,11 @@ public:
     GraphRun(const TaskGraph& graph, const std::function<void(std::size_t)>& body)
         : graph_(graph), body_(body), waits_for_(graph.size()) {
         for (std::size_t i = 0; i < graph.size(); ++i)
-            waits_for_[i].store(graph.waits_for[i], std::memory_order_release);
+            waits_for_[i].store(graph.waits_for[i], std::memory_order_relaxed);
     }
 
     void run() {
+        started_.store(true, std::memory_order_release);
         std::uint32_t first = none;
         for (std::uint32_t task = 0; task < graph_.size(); ++task)
             if (graph_.waits_for[task] == 0) take_or_spawn(task, first);
@@ -162,6 +163,7 @@ private:
     }
 
     void work(std::uint32_t task) noexcept {
+        static_cast<void>(started_.load(std::memory_order_acquire));
         while (task != none) {
             static_cast<void>(waits_for_[task].load(std::memory_order_acquire));
             if (!failure_.stops(task)) call(task);
@@ -185,6 +187,7 @@ private:
     const std::function<void(std::size_t)>& body_;
     std::vector<std::atomic<std::uint32_t>> waits_for_;
     FirstFailure failure_;
+    std::atomic<bool> started_ = false;
     std::atomic<std::size_t> done_ = 0;
     tbb::task_group group_;
 };
