@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 // Random schedules over random data: whatever a system can see goes into its own log, and logs and worlds must be the
@@ -44,7 +46,14 @@ Number number(Entity entity) { return (Number{entity.generation} << 32) | entity
 struct Log {
     Number seed = 0;
     Number seen = 0;
+    Number runs = 0;
     void see(Number value) { seen = mix(seen, value); }
+
+    /// Begins a run of the system, at times late, so that a later one overtakes it if nothing keeps it from that.
+    void begin() {
+        if (mix(seed, ++runs) % 4 == 0 && thread_limit() > 1)
+            std::this_thread::sleep_for(std::chrono::microseconds(20));
+    }
 };
 
 /// The kinds of systems that schedules are drawn from. Each keeps its log.
@@ -53,6 +62,7 @@ using Kind = std::function<SystemHandle(Schedule&, Stage, std::string, Log&)>;
 template <class Read, class Write>
 SystemHandle add_transfer(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name), [&log](Query<const Read, Write> query, LastRun last) {
+        log.begin();
         for (auto [entity, read, write] : query.template changed_since<Read>(last.tick)) {
             write.value = mix(write.value + log.seed, read.value);
             log.see(number(entity));
@@ -62,6 +72,7 @@ SystemHandle add_transfer(Schedule& schedule, Stage stage, std::string name, Log
 
 template <class Read, int n> SystemHandle add_sum(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name), [&log](Query<const Read> query, Total<n>& total, LastRun last) {
+        log.begin();
         query.each([&](const Read& read) { total.value = mix(total.value, read.value); });
         log.see(query.template changed_since<const Read>(last.tick).count());
     });
@@ -70,6 +81,7 @@ template <class Read, int n> SystemHandle add_sum(Schedule& schedule, Stage stag
 template <class Write, int n> SystemHandle add_spread(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name),
                         [&log](Query<Write, Without<A>> query, const Total<n>& total, LastRun last) {
+                            log.begin();
                             query.each([&](Entity entity, Write& write) {
                                 if ((number(entity) + total.value) % 3 == 0)
                                     write.value = mix(total.value, write.value);
@@ -80,6 +92,7 @@ template <class Write, int n> SystemHandle add_spread(Schedule& schedule, Stage 
 
 SystemHandle add_spawner(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name), [&log](Commands& commands, Query<const A> query) {
+        log.begin();
         const Number count = query.count();
         for (Number i = 0; i < 1 + log.seed % 3; ++i) {
             const Entity made = commands.create();
@@ -92,6 +105,7 @@ SystemHandle add_spawner(Schedule& schedule, Stage stage, std::string name, Log&
 
 SystemHandle add_reaper(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name), [&log](Commands& commands, Query<const C> query, Removed<B> removed) {
+        log.begin();
         query.each([&](Entity entity, const C& c) {
             if (c.value % 5 == log.seed % 5) commands.destroy(entity);
             if (c.value % 7 == 3) commands.remove<B>(entity);
@@ -103,6 +117,7 @@ SystemHandle add_reaper(Schedule& schedule, Stage stage, std::string name, Log& 
 
 SystemHandle add_sender(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name), [&log](EventWriter<Note> notes, Query<const B> query) {
+        log.begin();
         query.each([&](const B& b) {
             if (b.value % 4 == 1) notes.send({log.seed, b.value});
         });
@@ -111,6 +126,7 @@ SystemHandle add_sender(Schedule& schedule, Stage stage, std::string name, Log& 
 
 SystemHandle add_listener(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name), [&log](EventReader<Note> notes, Query<C> query) {
+        log.begin();
         for (const Note& note : notes) log.see(mix(note.from, note.value));
         const Number sum = log.seen;
         query.each([&](C& c) { c.value = mix(c.value, sum); });
@@ -119,6 +135,7 @@ SystemHandle add_listener(Schedule& schedule, Stage stage, std::string name, Log
 
 SystemHandle add_exclusive(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name), [&log](World& world) {
+        log.begin();
         log.see(world.tick());
         log.see(number(world.create_with(B{log.seed}, C{world.size()})));
     });
@@ -126,6 +143,7 @@ SystemHandle add_exclusive(Schedule& schedule, Stage stage, std::string name, Lo
 
 SystemHandle add_census(Schedule& schedule, Stage stage, std::string name, Log& log) {
     return schedule.add(stage, std::move(name), [&log](const World& world, LastRun last) {
+        log.begin();
         for (auto [entity, c] : world.query<const C>().changed_since<C>(last.tick)) log.see(number(entity));
         log.see(world.size());
     });
@@ -209,7 +227,7 @@ private:
 
 TEST(ScheduleDeterminismTest, ThreadsDoNotChangeTheResult) {
     int busy = 0;
-    for (Number seed = 0; seed < 200; ++seed) {
+    for (Number seed = 0; seed < 80; ++seed) {
         std::vector<std::vector<Number>> states;
         for (const int threads : {1, 4, 4}) {
             const test::ThreadLimit limit(threads);
@@ -221,13 +239,14 @@ TEST(ScheduleDeterminismTest, ThreadsDoNotChangeTheResult) {
         ASSERT_EQ(states[0], states[1]) << "seed " << seed;
         ASSERT_EQ(states[0], states[2]) << "seed " << seed;
     }
-    EXPECT_GT(busy, 500) << "the schedules do something";
+    EXPECT_GT(busy, 200) << "the schedules do something";
 }
 
 /// Notes how many entities had their T changed.
 template <class T> struct Reader {
     Log* log;
     void operator()(Query<const T> query, LastRun last) {
+        log->begin();
         log->see(query.template changed_since<T>(last.tick).count());
     }
 };
@@ -237,6 +256,7 @@ template <class T> struct Writer {
     Log* log;
     Number runs = 0;
     void operator()(Query<T> query, LastRun last) {
+        log->begin();
         log->see(query.template changed_since<T>(last.tick).count());
         if (mix(log->seed, ++runs) % 3 == 0) query.each([](T& part) { ++part.value; });
     }
