@@ -9,6 +9,7 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
+#include <hachure/runtime/parallel.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/renderer.h>
 #include <hachure/runtime/scene/view.h>
@@ -25,6 +26,7 @@ namespace hachure {
 namespace {
 
 constexpr int max_side = 16384;
+constexpr int max_threads = 1024;
 
 struct AovOutput {
     std::string name;
@@ -143,6 +145,9 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
                      "PATH=VALUE: set component.field of all entities that carry it, or entity/component.field")
         ->allow_extra_args(false);
     command->add_option("--stats", options.stats, "FILE.json: times, passes and memory of the frame");
+    command->add_option("--threads", options.threads, "use at most N threads (default: all); the picture is the same")
+        ->type_name("N")
+        ->check(CLI::Range(1, max_threads));
     command->footer("Example: hachure render bunny.obj -o bunny.png --style gooch --set gooch.b=0.55 --size 1024x768");
 }
 
@@ -150,6 +155,7 @@ int run_render(const RenderOptions& options) {
     const Canvas canvas = parse_size(options.size);
     const gpu::Backend backend = parse_backend(options.backend);
     const std::vector<AovOutput> aovs = parse_aovs(options.aovs);
+    if (options.threads > 0) set_thread_limit(options.threads);
     std::unique_ptr<gpu::Context> context; // outlives the app, whose world owns GPU objects
     App app;
     register_capabilities(app);

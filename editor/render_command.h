@@ -20,6 +20,7 @@ struct RenderOptions {
     std::vector<std::string> aovs; ///< NAME=FILE.exr
     std::vector<std::string> sets; ///< PATH=VALUE
     std::filesystem::path stats;
+    int threads = 0; ///< at most so many; 0: as many as the hardware runs at once
 };
 
 void add_render_command(CLI::App& app, RenderOptions& options);

@@ -4,8 +4,8 @@
 #include <hachure/runtime/ecs/schedule.h>
 #include <hachure/runtime/ecs/world.h>
 
-#include <functional>
 #include <string>
+#include <utility>
 
 namespace hachure {
 
@@ -22,13 +22,13 @@ public:
     /// Makes component C known by its name.
     template <class C> void add_component() { types_.add<C>(); }
 
-    /// Runs `system` in `stage` each frame, after those of the stage that were added before it.
-    void add_system(Stage stage, std::string name, std::function<void(World&)> system) {
-        schedule_.add(stage, std::move(name), std::move(system));
+    /// Runs `system` in `stage` each frame; see `Schedule`. The handle says more, such as what it comes after.
+    template <class F> SystemHandle add_system(Stage stage, std::string name, F system) {
+        return schedule_.add(stage, std::move(name), std::move(system));
     }
 
-    /// One frame: every stage in order.
-    void run_frame() { schedule_.run(world_); }
+    /// One frame, `delta_seconds` (0 or more) after the one before: every stage in order.
+    void run_frame(double delta_seconds = 0) { schedule_.run(world_, delta_seconds); }
 
 private:
     World world_;

@@ -18,7 +18,7 @@ Commands& Commands::operator=(Commands&& other) noexcept {
 Commands::~Commands() { clear(); }
 
 Entity Commands::create() {
-    const Entity entity = entities_->reserve();
+    const Entity entity = entities_->promise();
     queue({Action::create, entity});
     return entity;
 }

@@ -35,7 +35,12 @@ void EntityTable::release_slots() {
     if (slots_) release_large(reinterpret_cast<std::byte*>(slots_), capacity_ * sizeof(Slot));
 }
 
+void EntityTable::keep_promises() {
+    for (; promised_ > 0; --promised_) append();
+}
+
 void EntityTable::release(Entity entity) {
+    if (promised_ > 0) keep_promises();
     HACHURE_ASSERT(alive(entity) || reserved(entity), "an entity ends once");
     Slot& slot = slots_[entity.index];
     if (slot.state != reserved_state) --alive_;
@@ -50,6 +55,7 @@ EntityIds EntityTable::ids() const {
     EntityIds result;
     result.generations.reserve(count_);
     for (const Slot& slot : std::span(slots_, count_)) result.generations.push_back(slot.generation);
+    result.generations.resize(count_ + promised_, 1);
     for (std::uint32_t index = next_free_; index != none; index = slots_[index].state & index_mask)
         result.free.push_back(index);
     std::ranges::reverse(result.free);
@@ -59,7 +65,7 @@ EntityIds EntityTable::ids() const {
 std::vector<Entity> EntityTable::reset(const EntityIds& ids) {
     HACHURE_ASSERT(alive_ == 0, "handles are restored into an empty world");
     if (ids.generations.size() > capacity_) grow(ids.generations.size());
-    count_ = 0;
+    count_ = promised_ = 0;
     for (const std::uint32_t generation : ids.generations) slots_[count_++] = {generation, reserved_state};
     next_free_ = none;
     for (const std::uint32_t index : ids.free) {

@@ -32,7 +32,17 @@ public:
 
     /// A fresh id. It is not alive until `activate`.
     Entity reserve() {
+        if (promised_ > 0) keep_promises();
         if (next_free_ == none) return append();
+        const std::uint32_t index = next_free_;
+        next_free_ = slots_[index].state & index_mask;
+        slots_[index].state = reserved_state;
+        return {index, slots_[index].generation};
+    }
+
+    /// The same while other threads may be looking rows up: it moves no memory and writes nothing that they read.
+    Entity promise() {
+        if (next_free_ == none) return {count_ + promised_++, 1};
         const std::uint32_t index = next_free_;
         next_free_ = slots_[index].state & index_mask;
         slots_[index].state = reserved_state;
@@ -41,6 +51,7 @@ public:
 
     /// Makes a reserved id alive, with its row at `at`.
     void activate(Entity entity, Location at) {
+        if (promised_ > 0) keep_promises();
         HACHURE_ASSERT(reserved(entity), "only a reserved entity becomes alive");
         slots_[entity.index].state = at.packed();
         ++alive_;
@@ -61,6 +72,7 @@ public:
     bool alive(Entity entity) const { return static_cast<bool>(find(entity)); }
 
     bool reserved(Entity entity) const {
+        if (entity.index >= count_ && entity.index - count_ < promised_) return entity.generation == 1;
         return entity.index < count_ && slots_[entity.index].generation == entity.generation &&
                slots_[entity.index].state == reserved_state;
     }
@@ -95,6 +107,7 @@ private:
         slots_[count_] = {1, reserved_state};
         return {count_++, 1};
     }
+    void keep_promises();
     void grow(std::size_t slots);
     void release_slots();
     std::vector<Entity> reset(const EntityIds& ids);
@@ -103,6 +116,7 @@ private:
     Slot* slots_ = nullptr;
     std::uint32_t count_ = 0;
     std::uint32_t capacity_ = 0;
+    std::uint32_t promised_ = 0; ///< ids behind count_ that are reserved and have no slot yet
     std::uint32_t next_free_ = none;
     std::size_t alive_ = 0;
 };

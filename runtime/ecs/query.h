@@ -1,7 +1,7 @@
 #pragma once
 
-#include <hachure/runtime/ecs/parallel.h>
 #include <hachure/runtime/ecs/query_cursor.h>
+#include <hachure/runtime/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -94,7 +94,8 @@ public:
 
     /// The same query, only for entities that have at least one of C... changed (or added) after tick `since`. Chained
     /// filters must all hold. Costs next to nothing when no entity at all had a change of C... since, and little while
-    /// changed entities are few.
+    /// changed entities are few. A system's query fetches C..., so that the schedule knows
+    /// what it reads.
     template <class... C> Query changed_since(Tick since) const {
         return filtered<C...>(detail::ChangeFilter::Event::changed, since);
     }
@@ -126,6 +127,8 @@ private:
     }
 
     template <class... C> Query filtered(detail::ChangeFilter::Event event, Tick since) const {
+        HACHURE_ASSERT(now_ == 0 || (detail::is_named<std::remove_const_t<C>, Terms...> && ...),
+                       "the query of a system fetches the components whose changes it asks for");
         Query result = *this;
         result.filters_.add(event, since, std::array{detail::component_id<std::remove_const_t<C>>()...});
         return result;

@@ -299,5 +299,11 @@ private:
     T* value_ = nullptr;
 };
 
+/// Whether a term fetches C of the entities themselves.
+template <class C, class T> inline constexpr bool names = std::is_same_v<C, std::remove_const_t<T>>;
+template <class C, class T> inline constexpr bool names<C, Optional<T>> = names<C, T>;
+template <class C, class... T> inline constexpr bool names<C, AnyOf<T...>> = (names<C, T> || ...);
+template <class C, class... Terms> inline constexpr bool is_named = (names<C, Terms> || ...);
+
 } // namespace detail
 } // namespace hachure

@@ -8,9 +8,6 @@
 #include <random>
 #include <vector>
 
-// Stands in for hachure::Storage while the world has none: name lookup from the namespace below finds that one first.
-enum class Storage { sparse };
-
 namespace hachure::bench {
 
 // What the benchmarks of the world put on entities: components of three floats, tags, and one that asks to be kept

@@ -20,7 +20,7 @@ TEST(Usage, HelpNamesEveryCommandAndOption) {
     for (const char* command : {"render", "info", "list"})
         EXPECT_NE(all.out.find(command), std::string::npos) << command;
     const std::string render = forked_command({"render", "--help"}, folder.path()).out;
-    for (const char* option : {"--output", "--style", "--size", "--backend", "--aov", "--set", "--stats"})
+    for (const char* option : {"--output", "--style", "--size", "--backend", "--aov", "--set", "--stats", "--threads"})
         EXPECT_NE(render.find(option), std::string::npos) << option;
 }
 
@@ -74,6 +74,9 @@ INSTANTIATE_TEST_SUITE_P(
         render("UnknownAov", {"--aov", "heat=h.exr"}, "heat"), render("AovWithoutFile", {"--aov", "depth"}, "depth"),
         render("AovEmptyFile", {"--aov", "depth="}, "depth="), render("AovOfNoKind", {"--aov", "depth=d.png"}, "d.png"),
         render("SameFileTwice", {"--aov", "depth=d.exr", "--aov", "normal=d.exr"}, "d.exr"),
+        render("ThreadsZero", {"--threads", "0"}, "--threads"),
+        render("ThreadsNegative", {"--threads=-2"}, "--threads"),
+        render("ThreadsNoNumber", {"--threads", "many"}, "many"), render("ThreadsHalf", {"--threads", "1.5"}, "1.5"),
         render("UnknownStyle", {"--style", "cubism"}, "cubism"),
         render("SetWithoutValue", {"--set", "gooch.b"}, "gooch.b"),
         render("SetWithoutField", {"--set", "gooch=1"}, "gooch"),

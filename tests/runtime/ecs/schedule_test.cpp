@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -134,7 +135,7 @@ TEST(ScheduleDeathTest, NamesAreUnique) {
     Schedule schedule;
     schedule.add(Stage::input, "one", [](World&) {});
     EXPECT_DEATH(schedule.add(Stage::render, "one", [](World&) {}), "name is its own");
-    EXPECT_DEATH(schedule.add(Stage::render, "two", nullptr), "can be called");
+    EXPECT_DEATH(schedule.add(Stage::render, "two", std::function<void(World&)>{}), "can be called");
 }
 
 TEST(ScheduleDeathTest, DoesNotChangeWhileRunning) {
