@@ -17,7 +17,7 @@ const Transition& remember(const Table& from, std::vector<std::unique_ptr<Transi
         const ComponentInfo& info = *column.component->info;
         if (!to.has(info.id)) continue;
         const auto j = static_cast<std::uint16_t>(to.column(info.id));
-        transition->shared.push_back({column.offset, to.offset(info.id), column.stride, i, j, &info});
+        transition->shared.push_back({column.offset, to.offset(info.id), column.stride, i, j, info.trivial, &info});
     }
     const TypeId id = component.info->id;
     if (id >= transitions.size()) transitions.resize(id + 1);
@@ -206,15 +206,20 @@ Location EntityStore::move(Entity entity, Location from, const Transition& trans
     Table& to = *transition.to;
     const Location at = to.append(entity);
     ids_->set_row(entity, at);
-    std::byte* source = chunks_[from.chunk()].data;
-    std::byte* target = chunks_[at.chunk()].data;
-    const ColumnTicks* source_ticks = chunks_.ticks(from.chunk());
-    ColumnTicks* target_ticks = chunks_.ticks(at.chunk());
-    for (const auto& column : transition.shared) {
-        relocate(*column.info, target + column.to_offset + std::size_t{at.row()} * column.stride,
-                 source + column.from_offset + std::size_t{from.row()} * column.stride);
-        target_ticks[column.to_column].place(at.row(), at.row(), to.capacity(), source_ticks[column.from_column],
-                                             from.row());
+    const std::uint32_t row = at.row(), from_row = from.row(), capacity = to.capacity();
+    std::byte* const source = chunks_[from.chunk()].data;
+    std::byte* const target = chunks_[at.chunk()].data;
+    const ColumnTicks* const source_ticks = chunks_.ticks(from.chunk());
+    ColumnTicks* const target_ticks = chunks_.ticks(at.chunk());
+    const Transition::Shared* const end = transition.shared.data() + transition.shared.size();
+    for (const Transition::Shared* column = transition.shared.data(); column != end; ++column) {
+        std::byte* const old_value = source + column->from_offset + std::size_t{from_row} * column->stride;
+        std::byte* const new_value = target + column->to_offset + std::size_t{row} * column->stride;
+        if (column->trivial)
+            copy_bytes(new_value, old_value, column->stride);
+        else
+            column->info->relocate(new_value, old_value);
+        target_ticks[column->to_column].place(row, row, capacity, source_ticks[column->from_column], from_row);
     }
     table_of(from).drop_row(from);
     return at;

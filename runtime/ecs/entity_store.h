@@ -53,6 +53,9 @@ public:
     /// By component; some are null.
     std::span<const std::unique_ptr<ComponentRecord>> records() const { return records_; }
 
+    /// Where the column of a component begins in a chunk; 0 where the chunk has none.
+    std::uint32_t offset(std::uint32_t chunk, TypeId id) const { return id < width_ ? chunks_[chunk].offsets[id] : 0; }
+
     /// The value of C of an entity, or null when it is dead or has none. `at` is where it was found.
     template <class C> C* find(Entity entity, Location& at) const {
         const Location row = ids_->find(entity);
@@ -68,11 +71,9 @@ public:
             at = component ? component->sparse->find(entity) : Location{};
             if (!at) return nullptr;
         }
-        if (id >= width_) return nullptr;
-        const auto& chunk = chunks_[at.chunk()];
-        const std::uint32_t offset = chunk.offsets[id];
-        if (offset == 0) return nullptr;
-        return reinterpret_cast<C*>(chunk.data + offset + std::size_t{at.row()} * stride_of<C>);
+        const std::uint32_t column = offset(at.chunk(), id);
+        if (column == 0) return nullptr;
+        return reinterpret_cast<C*>(chunks_[at.chunk()].data + column + std::size_t{at.row()} * stride_of<C>);
     }
 
     /// The ticks of a component of type `id` whose value is in row `at`.

@@ -69,6 +69,11 @@ public:
         return Location::unpack(slots_[entity.index].state);
     }
 
+    /// Fetches from memory what `find` will read.
+    void prefetch(Entity entity) const {
+        if (entity.index < count_) __builtin_prefetch(&slots_[entity.index]);
+    }
+
     bool alive(Entity entity) const { return static_cast<bool>(find(entity)); }
 
     bool reserved(Entity entity) const {

@@ -54,6 +54,11 @@ public:
     /// it was not called for may be marked changed as well.
     template <class F> void each(F&& f) const;
 
+    /// As `each`, for those of `entities` that match, in their order: the way to go through a list of entities that
+    /// stand anywhere, because what the next ones need is fetched from memory while f runs. One that is listed twice is
+    /// visited twice.
+    template <class F> void each_of(std::span<const Entity> entities, F&& f) const;
+
     /// Calls `f(entities, fetched...)` for packed runs of entities: a span of handles, and for each fetched term a span
     /// of as many values; where an optional component is absent, an empty one. All of a run is marked changed. Only for
     /// terms in tables, and without change filters.
@@ -77,8 +82,8 @@ public:
     std::optional<Item> find(Entity entity) const {
         auto cursor = find_row(entity);
         if (!cursor) return std::nullopt;
-        if constexpr (writes) cursor->mark_row();
-        return cursor->fetch();
+        if constexpr (writes) cursor->mark_selected();
+        return cursor->fetch(entity);
     }
 
     /// The first entity of the walk, or null. Marks nothing changed, as `empty`, `count` and `contains` do not.
@@ -140,6 +145,7 @@ private:
     std::vector<Block> blocks(const detail::QueryCache& cache) const;
     const detail::QueryCache& cache() const;
     std::optional<Cursor> find_row(Entity entity) const;
+    bool passes_filters(Entity entity) const;
     template <class F> static void visit_rows(Cursor& cursor, std::uint32_t rows, F& f);
     template <class F> static void visit_chunk(Cursor& cursor, std::uint32_t rows, F& f);
     template <class Visit> void in_parallel(Visit&& visit) const;

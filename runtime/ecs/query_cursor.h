@@ -36,13 +36,18 @@ template <class... Terms> struct Cursor {
 
     bool at_end() const { return entities == nullptr; }
     Visit visit() const { return {*store, *table, chunk, row}; }
+    /// After `select`.
+    void mark_selected() {
+        table = &store->chunks().table(chunk);
+        mark_row();
+    }
 
-    auto fetch() const {
+    auto fetch() const { return fetch(entities[row]); }
+
+    /// The same for a row whose entity is known.
+    auto fetch(Entity entity) const {
         return std::apply(
-            [this](const auto&... term) {
-                return std::tuple_cat(std::tuple<Entity>(entities[row]), term.fetch(row)...);
-            },
-            terms);
+            [&](const auto&... term) { return std::tuple_cat(std::tuple<Entity>(entity), term.fetch(row)...); }, terms);
     }
 
     static bool matches(const Table& table) { return (Term<Terms>::matches(table) && ...); }
@@ -65,6 +70,12 @@ template <class... Terms> struct Cursor {
         std::apply([this](auto&... term) { (term.enter(visit()), ...); }, terms);
     }
 
+    /// Fetches what a visit of `entity` will read from memory.
+    void prefetch(Entity entity) const {
+        if (const Location at = store->ids().find(entity))
+            std::apply([&](const auto&... term) { (term.prefetch(*store, at), ...); }, terms);
+    }
+
     void mark_chunk() const {
         std::apply([this](const auto&... term) { (mark_column(term), ...); }, terms);
     }
@@ -76,8 +87,18 @@ template <class... Terms> struct Cursor {
         std::apply([this](auto&... term) { (begin_term(term), ...); }, terms);
     }
 
-    /// Takes `entity` where it matches all terms; its chunk is entered then, and it is the row.
-    bool select(Entity entity) { return locate(entity) && match_row(); }
+    /// Takes `entity` where it matches all terms; it is the row then.
+    bool select(Entity entity) {
+        if constexpr (by_row) {
+            return locate(entity) && match_row();
+        } else {
+            const Location at = store->ids().find(entity);
+            if (!at) return false;
+            chunk = at.chunk();
+            row = at.row();
+            return std::apply([&](auto&... term) { return (term.locate(*store, at.chunk()) && ...); }, terms);
+        }
+    }
 
 private:
     template <class T> void begin_term(T& term) {

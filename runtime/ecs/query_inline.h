@@ -74,6 +74,23 @@ template <class... Terms> template <class F> void Query<Terms...>::each(F&& f) c
     }
 }
 
+template <class... Terms>
+template <class F>
+void Query<Terms...>::each_of(std::span<const Entity> entities, F&& f) const {
+    // First the slots of entities far ahead, then the rows of those near, which the slots lead to.
+    constexpr std::size_t far = 64, near = 32;
+    const detail::IterationLock::Guard guard(store_->lock());
+    Cursor cursor = cursor_at(cache());
+    if constexpr (Cursor::by_row) cursor.begin_terms();
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        if (i + far < entities.size()) store_->ids().prefetch(entities[i + far]);
+        if (i + near < entities.size()) cursor.prefetch(entities[i + near]);
+        if (!cursor.select(entities[i]) || !passes_filters(entities[i])) continue;
+        if constexpr (writes) cursor.mark_selected();
+        detail::call_with(f, cursor.fetch(entities[i]));
+    }
+}
+
 template <class... Terms> template <class F> void Query<Terms...>::each_chunk(F&& f) const {
     static_assert(!Cursor::by_row, "each_chunk is for components in tables: OfParent and sparse ones go row by row");
     HACHURE_ASSERT(filters_.empty(), "each_chunk takes no change filters");
@@ -167,9 +184,12 @@ template <class... Terms> auto Query<Terms...>::find_row(Entity entity) const ->
     Cursor cursor = cursor_at(cache());
     if constexpr (Cursor::by_row) cursor.begin_terms();
     if (!cursor.select(entity)) return std::nullopt;
-    for (const detail::ChangeFilter& filter : filters_.all())
-        if (!filter.passes(*store_, entity)) return std::nullopt;
+    if (!passes_filters(entity)) return std::nullopt;
     return cursor;
+}
+
+template <class... Terms> bool Query<Terms...>::passes_filters(Entity entity) const {
+    return std::ranges::all_of(filters_.all(), [&](const auto& filter) { return filter.passes(*store_, entity); });
 }
 
 template <class... Terms> const std::vector<detail::Table*>* Query<Terms...>::whole_tables() const {

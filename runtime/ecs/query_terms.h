@@ -61,6 +61,14 @@ template <class C> struct ColumnCursor<C, false> {
         const std::uint32_t offset = visit.table.offset(component_id<C>());
         base = offset == 0 ? nullptr : chunk.data + offset;
     }
+    void locate(const EntityStore& store, std::uint32_t chunk) {
+        const std::uint32_t offset = store.offset(chunk, component_id<C>());
+        base = offset == 0 ? nullptr : store.chunks()[chunk].data + offset;
+    }
+    void prefetch(const EntityStore& store, Location at) const {
+        const std::byte* data = store.chunks()[at.chunk()].data + store.offset(at.chunk(), component_id<C>());
+        __builtin_prefetch(data + std::size_t{at.row()} * stride_of<C>);
+    }
     void select(const Visit&) {}
     bool present() const { return base != nullptr; }
     C* get(std::uint32_t row) const { return reinterpret_cast<C*>(base + std::size_t{row} * stride_of<C>); }
@@ -114,7 +122,8 @@ template <class C> void require_sparse(EntityStore& store, Driver& driver) {
 
 /// What a term does on the walk. `matches` says whether rows of a table can match at all; `choose` what sparse stores
 /// matches are in; `begin`, `enter` and `match` go to a world, a chunk, and (if `by_row`) a row, where `match` says
-/// whether the term takes it; `fetch` gives its part of the result. T is a component, const or not.
+/// whether the term takes it; `fetch` gives its part of the result. Where rows need not be looked at, `locate` goes to
+/// a chunk of any table, and says whether its rows match. T is a component, const or not.
 template <class T> class Term {
     static_assert(may_be_term<T>, "Parent and Children change through set_parent and clear_parent");
     using C = std::remove_const_t<T>;
@@ -136,6 +145,11 @@ public:
     std::tuple<T&> fetch(std::uint32_t row) const { return {*cursor_.get(row)}; }
     void mark_row(const Visit& visit, Tick now) const { cursor_.mark_row(visit, now); }
     void mark_chunk(const Visit& visit, Tick now) const { cursor_.mark_chunk(visit, now); }
+    bool locate(const EntityStore& store, std::uint32_t chunk) {
+        cursor_.locate(store, chunk);
+        return cursor_.present();
+    }
+    void prefetch(const EntityStore& store, Location at) const { cursor_.prefetch(store, at); }
 
 private:
     ColumnCursor<C> cursor_;
@@ -162,6 +176,11 @@ public:
     std::tuple<T*...> fetch(std::uint32_t row) const { return {cursor<T>().get_or_null(row)...}; }
     void mark_row(const Visit& visit, Tick now) const { (mark_row_if<T>(visit, now), ...); }
     void mark_chunk(const Visit& visit, Tick now) const { (mark_chunk_if<T>(visit, now), ...); }
+    bool locate(const EntityStore& store, std::uint32_t chunk) {
+        (cursor<T>().locate(store, chunk), ...);
+        return least == 0 || (cursor<T>().present() || ...);
+    }
+    void prefetch(const EntityStore& store, Location at) const { (cursor<T>().prefetch(store, at), ...); }
 
 private:
     template <class U> using CursorOf = ColumnCursor<std::remove_const_t<U>>;
@@ -189,6 +208,7 @@ public:
     std::tuple<> fetch(std::uint32_t) const { return {}; }
     void mark_row(const Visit&, Tick) const {}
     void mark_chunk(const Visit&, Tick) const {}
+    void prefetch(const EntityStore&, Location) const {}
 };
 
 /// Sparse stores that rows are looked up in.
@@ -224,6 +244,9 @@ public:
     static void choose(EntityStore& store, Driver& driver) { (require_sparse<T>(store, driver), ...); }
     void begin(EntityStore& store) { sparse_.begin(store); }
     bool match(const Visit& visit) { return sparse_.in_all(visit.entity()); }
+    bool locate(const EntityStore& store, std::uint32_t chunk) const {
+        return ((store.offset(chunk, component_id<std::remove_const_t<T>>()) != 0) && ...);
+    }
 
 private:
     SparseLookups<T...> sparse_;
@@ -236,6 +259,9 @@ public:
     static void choose(EntityStore&, Driver&) {}
     void begin(EntityStore& store) { sparse_.begin(store); }
     bool match(const Visit& visit) { return !sparse_.in_any(visit.entity()); }
+    bool locate(const EntityStore& store, std::uint32_t chunk) const {
+        return ((store.offset(chunk, component_id<std::remove_const_t<T>>()) == 0) && ...);
+    }
 
 private:
     SparseLookups<T...> sparse_;

@@ -11,6 +11,12 @@ std::size_t aligned(std::size_t offset) {
     return (offset + column_alignment - 1) / column_alignment * column_alignment;
 }
 
+/// Holes at the front are filled from the back: that goes up and down at once, which prefetchers don't follow.
+void prefetch(const std::byte* data, std::size_t bytes) {
+    constexpr int write = 1, second_level = 2;
+    for (std::size_t line = 0; line < bytes; line += 64) __builtin_prefetch(data + line, write, second_level);
+}
+
 } // namespace
 
 Table::Table(std::uint32_t index, std::span<ComponentRecord* const> components, ChunkDirectory& directory,
@@ -22,6 +28,9 @@ Table::Table(std::uint32_t index, std::span<ComponentRecord* const> components, 
     const std::size_t padding = 2 * column_alignment * (components.size() + 1);
     bytes_ = std::max(chunk_bytes, aligned(row_bytes) + padding);
     capacity_ = static_cast<std::uint32_t>(std::min<std::size_t>((bytes_ - padding) / row_bytes, Location::max_rows));
+
+    constexpr std::uint32_t share = 8;
+    few_rows_ = std::max(capacity_ / share, 1u);
 
     std::size_t offset = aligned(sizeof(Entity) * capacity_);
     for (ComponentRecord* component : components) {
@@ -87,23 +96,34 @@ void Table::move_values(Location to, Location from) {
         relocate(*column.component->info, value(target, column, to.row()), value(source, column, from.row()));
 }
 
-void Table::drop_row(Location at) {
-    const std::uint32_t chunk = at.chunk();
-    ChunkDirectory::Header& header = directory_->header(chunk);
-    const std::uint32_t last = --header.rows;
-    --size_;
-    if (chunk == tail_) tail_rows_ = last;
-    if (at.row() != last) {
-        auto* entities = reinterpret_cast<Entity*>((*directory_)[chunk].data);
-        entities[at.row()] = entities[last];
-        move_values(at, {chunk, last});
-        for (std::size_t i = 0; i < columns_.size(); ++i) header.ticks[i].move(at.row(), last);
-        rows_->set_row(entities[last], at);
+void Table::fill_hole(Location at, std::uint32_t last) {
+    std::byte* data = (*directory_)[at.chunk()].data;
+    if (last + 1 == capacity_) prefetch(data, bytes_);
+    auto* entities = reinterpret_cast<Entity*>(data);
+    entities[at.row()] = entities[last];
+    ColumnTicks* each_ticks = ticks(at.chunk());
+    for (const Column& column : columns_) {
+        std::byte* to = value(data, column, at.row());
+        std::byte* from = value(data, column, last);
+        if (column.trivial)
+            copy_bytes(to, from, column.stride);
+        else
+            column.component->info->relocate(to, from);
+        each_ticks++->move(at.row(), last);
     }
-    // Few rows are not worth a chunk: what is moved was paid for by the many that went.
-    constexpr std::uint32_t share = 8;
-    if (chunk == tail_) return; // it stays, even empty: entities come and go
-    if (last < std::max(capacity_ / share, 1u)) merge(chunk);
+    rows_->set_row(entities[last], at);
+}
+
+void Table::tidy(std::uint32_t chunk, std::uint32_t rows) {
+    // What is moved here was paid for by the many that went.
+    if (tail_rows_ == 0) {
+        close_chunk(tail_);
+        set_tail(chunk);
+    } else if (rows == 0) {
+        close_chunk(chunk);
+    } else {
+        merge(chunk);
+    }
 }
 
 void Table::merge(std::uint32_t chunk) {

@@ -100,7 +100,15 @@ public:
     }
 
     /// Drops a row whose values are gone already.
-    void drop_row(Location at);
+    void drop_row(Location at) {
+        const std::uint32_t last = --directory_->header(at.chunk()).rows;
+        --size_;
+        if (at.row() != last) fill_hole(at, last);
+        if (at.chunk() == tail_)
+            tail_rows_ = last; // it stays, even empty: entities come and go
+        else if (last < few_rows_ || tail_rows_ == 0)
+            tidy(at.chunk(), last);
+    }
 
     /// Destroys the values of a row.
     void destroy_values(Location at);
@@ -118,6 +126,8 @@ private:
     void open_chunk();
     void close_chunk(std::uint32_t chunk);
     void set_tail(std::uint32_t chunk);
+    void fill_hole(Location at, std::uint32_t last);
+    void tidy(std::uint32_t chunk, std::uint32_t rows);
     void merge(std::uint32_t chunk);
     void move_values(Location to, Location from);
 
@@ -125,6 +135,7 @@ private:
 
     std::uint32_t index_;
     std::uint32_t capacity_ = 0;
+    std::uint32_t few_rows_ = 0;    ///< so few that they are not worth a chunk
     std::uint32_t tail_ = no_chunk; ///< the chunk that new rows go to
     std::uint32_t tail_rows_ = 0;
     std::uint32_t tail_capacity_ = 0; ///< 0 while there is no such chunk
@@ -148,6 +159,7 @@ struct Transition {
         std::uint32_t stride;
         std::uint16_t from_column;
         std::uint16_t to_column;
+        bool trivial;
         const ComponentInfo* info;
     };
 
