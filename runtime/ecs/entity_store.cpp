@@ -1,4 +1,5 @@
 #include <hachure/runtime/ecs/entity_store.h>
+#include <hachure/runtime/ecs/hierarchy.h>
 #include <hachure/runtime/ecs/query_filter.h>
 
 #include <algorithm>
@@ -61,6 +62,8 @@ Table& EntityStore::find_table(std::vector<ComponentRecord*> components) {
     const auto index = static_cast<std::uint32_t>(tables_.size());
     tables_.push_back(std::make_unique<Table>(index, components, chunks_, *ids_));
     tables_.back()->widen(width_);
+    tables_.back()->in_tree =
+        tables_.back()->has(component_id<Parent>()) || tables_.back()->has(component_id<Children>());
     update_observed();
     return *tables_.back();
 }
@@ -253,16 +256,37 @@ void EntityStore::erase_sparse(Entity entity) {
 }
 
 void EntityStore::destroy(Entity entity) {
-    if (!sparse_.empty()) erase_sparse(entity);
     const Location at = ids_->find(entity);
     Table& table = table_of(at);
+    for (const auto& column : table.columns()) column.component->log.note_removed(1, tick_);
+    end_row(entity, at, table);
+}
+
+void EntityStore::end_row(Entity entity, Location at, Table& table) {
+    if (!sparse_.empty()) erase_sparse(entity);
+    if (!table.columns().empty()) removals_.note_destroyed(entity, table, tick_);
     table.destroy_values(at);
-    if (const auto columns = table.columns(); !columns.empty()) {
-        for (const auto& column : columns) column.component->log.note_removed(1, tick_);
-        removals_.note_destroyed(entity, table, tick_);
-    }
     table.drop_row(at);
     ids_->release(entity);
+}
+
+std::size_t EntityStore::destroy_last(std::span<const Entity> entities) {
+    Table* table = nullptr;
+    std::size_t rows = 0, left = entities.size();
+    for (; left > 0; --left) {
+        const Entity entity = entities[left - 1];
+        const Location at = ids_->find(entity);
+        if (!at) continue;
+        if (table != &table_of(at)) {
+            if (table || table_of(at).in_tree || table_of(at).observed) break;
+            table = &table_of(at);
+        }
+        end_row(entity, at, *table);
+        ++rows;
+    }
+    if (table)
+        for (const auto& column : table->columns()) column.component->log.note_removed(rows, tick_);
+    return left;
 }
 
 void EntityStore::destroy_all(Table& table) {

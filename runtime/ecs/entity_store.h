@@ -167,6 +167,10 @@ public:
     /// Ends a live entity with its components.
     void destroy(Entity entity);
 
+    /// Ends entities from the last of the list on, as long as they are dead or in one table without tree and observers.
+    /// How many of the list are left.
+    std::size_t destroy_last(std::span<const Entity> entities);
+
     /// Ends every entity of a table.
     void destroy_all(Table& table);
 
@@ -191,6 +195,7 @@ private:
     const Transition& find_adding(Table& table, ComponentRecord& component);
     const Transition& find_removing(Table& table, ComponentRecord& component);
     Table& remember_bundle(TypeId id, std::vector<ComponentRecord*> components);
+    void end_row(Entity entity, Location at, Table& table);
     void erase_sparse(Entity entity);
     void erase_sparse(Entity entity, Location at, ComponentRecord& component);
     Location find_component(TypeId id, Entity entity) const;

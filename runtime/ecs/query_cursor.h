@@ -26,6 +26,7 @@ template <class... Terms> struct Cursor {
     bool marks = true;                ///< whether visiting marks what is written
     const Entity* entities = nullptr; ///< of the chunk; null at the end
     std::uint32_t row = 0;
+    std::uint32_t first = 0; ///< of the run of matching rows that ends before `stop`
     std::uint32_t stop = 0; ///< the next row that needs more than a step: behind the chunk, or just the next
     std::uint32_t rows = 0;
     std::uint32_t chunk = 0;
@@ -65,7 +66,7 @@ template <class... Terms> struct Cursor {
     void enter(Table& in, std::uint32_t id) {
         table = &in;
         chunk = id;
-        row = 0;
+        row = first = 0;
         entities = in.entities(id).data();
         std::apply([this](auto&... term) { (term.enter(visit()), ...); }, terms);
     }
@@ -78,6 +79,12 @@ template <class... Terms> struct Cursor {
 
     void mark_chunk() const {
         std::apply([this](const auto&... term) { (mark_column(term), ...); }, terms);
+    }
+    /// Marks the rows of the run below `end`. Of terms that look at rows, `row` is the only one.
+    void mark_run(std::uint32_t end) {
+        const std::uint32_t left = row;
+        for (row = first; row < end; ++row) mark_row();
+        row = left;
     }
     void mark_row() const {
         std::apply([this](const auto&... term) { (mark_one(term), ...); }, terms);
@@ -173,11 +180,13 @@ template <class... Terms> Cursor<Terms...> Cursor<Terms...>::advance(Cursor curs
             cursor.end();
         return cursor;
     }
+    if (!cursor.at_end() && cursor.marks) cursor.mark_run(cursor.stop);
     for (;;) {
         for (; cursor.find_news(); ++cursor.row) {
             if (!cursor.match_row()) continue;
+            cursor.first = cursor.row;
             cursor.stop = cursor.row + 1;
-            if (cursor.marks) cursor.mark_row();
+            if constexpr (!by_row) cursor.stop = cursor.walk->end_of_run(cursor.entities, cursor.stop, cursor.rows);
             return cursor;
         }
         if (cursor.walk->listed() ? !cursor.next_candidate() : !cursor.next_block()) {
@@ -188,13 +197,9 @@ template <class... Terms> Cursor<Terms...> Cursor<Terms...>::advance(Cursor curs
 }
 
 template <class... Terms> void Cursor<Terms...>::finish(Cursor cursor) {
-    if (cursor.walk) {
-        cursor.store->end_walk(cursor.walk);
-    } else if (!cursor.at_end() && cursor.marks) {
-        // Left in the middle of a chunk: only what was reached counts as visited.
-        const std::uint32_t last = cursor.row;
-        for (cursor.row = 0; cursor.row <= last; ++cursor.row) cursor.mark_row();
-    }
+    // Left in the middle: only what was reached counts as visited. On a plain walk a run begins with the chunk.
+    if (!cursor.at_end() && cursor.marks) cursor.mark_run(cursor.row + 1);
+    if (cursor.walk) cursor.store->end_walk(cursor.walk);
 }
 
 template <class... Terms> bool Cursor<Terms...>::next_block() {
@@ -215,9 +220,13 @@ template <class... Terms> bool Cursor<Terms...>::next_block() {
 }
 
 template <class... Terms> bool Cursor<Terms...>::next_candidate() {
+    constexpr std::size_t ahead = 16;
     const auto candidates = walk->candidates();
-    while (next_chunk < candidates.size())
+    while (next_chunk < candidates.size()) {
+        if (next_chunk + 2 * ahead < candidates.size()) store->ids().prefetch(candidates[next_chunk + 2 * ahead]);
+        if (next_chunk + ahead < candidates.size()) prefetch(candidates[next_chunk + ahead]);
         if (locate(candidates[next_chunk++])) return true;
+    }
     return false;
 }
 

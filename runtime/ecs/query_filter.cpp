@@ -8,7 +8,7 @@ namespace hachure::detail {
 namespace {
 
 /// Going to an entity of a list costs about as much as reading the ticks of so many rows in a sweep (`bench ecs`).
-constexpr std::size_t step_of_list = 16;
+constexpr std::size_t step_of_list = 32;
 
 /// How many changes the queues hold for a filter, or nothing when they don't reach back far enough.
 std::optional<std::size_t> queued(const EntityStore& store, const ChangeFilter& filter) {
@@ -61,7 +61,13 @@ void FilteredWalk::list_changes(EntityStore& store, const ChangeFilter& filter) 
     for (std::size_t i = 0; i < components.size(); ++i) {
         const ComponentRecord* component = store.find_record(components[i]);
         if (!component || component->log.last_changed() <= filter.since) continue;
-        for (const auto& [entity, tick] : component->log.since(filter.since)) {
+        const auto changes = component->log.since(filter.since);
+        if (components.size() == 1 && !changes.empty() && changes.front().tick == changes.back().tick) {
+            // No tick lists an entity twice.
+            for (const auto& change : changes) candidates_.push_back(change.entity);
+            return;
+        }
+        for (const auto& [entity, tick] : changes) {
             // An entity may be listed once per tick and per component: it counts where it stands last and first.
             if (store.changed(components[i], entity) != tick) continue;
             const auto counted = [&](TypeId other) { return store.changed(other, entity) > filter.since; };
@@ -119,6 +125,11 @@ bool FilteredWalk::passes(const Filter& filter, Entity entity, std::uint32_t row
     return false;
 }
 
+bool FilteredWalk::passes(Entity entity, std::uint32_t row) const {
+    const auto end = filters_.begin() + static_cast<std::ptrdiff_t>(count_);
+    return std::all_of(filters_.begin(), end, [&](const Filter& filter) { return passes(filter, entity, row); });
+}
+
 std::uint32_t FilteredWalk::next(const Entity* entities, std::uint32_t row, std::uint32_t rows) const {
     const Filter& first = filters_[0];
     const bool simple = count_ == 1 && first.count == 1 && first.watched[0].ticks && !first.watched[0].sparse;
@@ -127,9 +138,12 @@ std::uint32_t FilteredWalk::next(const Entity* entities, std::uint32_t row, std:
         return first.event == ChangeFilter::Event::changed ? ticks.next_changed(row, rows, first.since)
                                                            : ticks.next_added(row, rows, first.since);
     }
-    const auto match = [&](const Filter& filter) { return passes(filter, entities[row], row); };
-    while (row < rows && !std::all_of(filters_.begin(), filters_.begin() + static_cast<std::ptrdiff_t>(count_), match))
-        ++row;
+    while (row < rows && !passes(entities[row], row)) ++row;
+    return row;
+}
+
+std::uint32_t FilteredWalk::end_of_run(const Entity* entities, std::uint32_t row, std::uint32_t rows) const {
+    while (row < rows && passes(entities[row], row)) ++row;
     return row;
 }
 

@@ -74,6 +74,9 @@ public:
     /// The first row of the chunk from `row` on, below `rows`, that passes all filters; `rows` when there is none.
     std::uint32_t next(const Entity* entities, std::uint32_t row, std::uint32_t rows) const;
 
+    /// The first from `row` on that does not pass; `rows` when there is none.
+    std::uint32_t end_of_run(const Entity* entities, std::uint32_t row, std::uint32_t rows) const;
+
 private:
     /// One component of a filter in the chunk.
     struct Watched {
@@ -89,6 +92,7 @@ private:
     };
 
     static bool passes(const Filter& filter, Entity entity, std::uint32_t row);
+    bool passes(Entity entity, std::uint32_t row) const;
     void list_changes(EntityStore& store, const ChangeFilter& filter);
 
     bool listed_ = false;

@@ -104,6 +104,7 @@ template <class C> struct ColumnCursor<C, true> {
         if (value) visit.store.mark(component_id<C>(), visit.entity(), at, now);
     }
     void mark_chunk(const Visit&, Tick) const {}
+    void prefetch(const EntityStore&, Location) const {}
 };
 
 template <class T> inline constexpr bool may_be_term = std::is_const_v<T> || !managed_by_world<std::remove_const_t<T>>;

@@ -121,6 +121,7 @@ public:
     std::vector<std::unique_ptr<Transition>> removing;
 
     bool observed = false; ///< some component has observers
+    bool in_tree = false;  ///< the entities have parents or children
 
 private:
     void open_chunk();

@@ -31,14 +31,12 @@ bool World::destroy(Entity entity) {
     const detail::Location at = store_->ids().find(entity);
     if (!at) return false;
     store_->lock().assert_idle();
-    const detail::Table& table = store_->table_of(at);
-    const bool has_children = table.has(detail::component_id<Children>());
-    if (!has_children && !table.has(detail::component_id<Parent>())) {
+    if (!store_->table_of(at).in_tree) {
         destroy_one(entity);
         return true;
     }
     detach(entity);
-    const std::vector<Entity> below = has_children ? descendants(entity) : std::vector<Entity>{};
+    const std::vector<Entity> below = descendants(entity);
     destroy_one(entity);
     for (const Entity descendant : below) destroy_one(descendant);
     return true;
@@ -50,8 +48,14 @@ void World::destroy_one(Entity entity) {
 }
 
 void World::destroy_many(std::span<const Entity> entities) {
+    store_->lock().assert_idle();
     // From the last on: entities that stand in order of creation then go without moving others.
-    for (auto entity = entities.rbegin(); entity != entities.rend(); ++entity) destroy(*entity);
+    while (!entities.empty()) {
+        if (!observed_) entities = entities.first(store_->destroy_last(entities));
+        if (entities.empty()) return;
+        destroy(entities.back());
+        entities = entities.first(entities.size() - 1);
+    }
 }
 
 void World::destroy_tables(const std::vector<detail::Table*>& tables) {

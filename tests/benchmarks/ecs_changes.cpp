@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 namespace hachure::bench {
 namespace {
@@ -19,7 +20,7 @@ struct Data {
 };
 
 /// Writes to `dirty` entities anywhere, then finds them: microseconds for the walk that does.
-double find_changed(Data& data, std::size_t dirty) {
+double find_changed(Data& data, std::size_t dirty, detail::ChangeWalk how) {
     const Tick before = data.world.tick();
     data.world.advance_tick();
     for (const Entity entity : std::span(data.handles).first(dirty)) data.world.get_mutable<Position>(entity).x += 1.0f;
@@ -27,7 +28,8 @@ double find_changed(Data& data, std::size_t dirty) {
     std::size_t found = 0;
     float sum = 0.0f;
     const Stopwatch watch;
-    for (auto [entity, position] : data.world.query<const Position>().changed_since<Position>(before)) {
+    const auto query = data.world.query<const Position>().changed_since<Position>(before).finding_changes(how);
+    for (auto [entity, position] : query) {
         sum += position.x;
         ++found;
     }
@@ -42,13 +44,20 @@ double find_changed(Data& data, std::size_t dirty) {
 Group change_group(std::size_t count) {
     auto data = std::make_shared<Data>(count);
     Group group;
-    for (const double percent : {0.0, 0.1, 1.0, 3.0, 10.0, 50.0, 100.0}) {
+    // The queue is given up past a sixteenth of the entities: from there on both ways are the sweep.
+    for (const double percent : {0.0, 0.1, 1.0, 3.0, 6.0, 10.0, 50.0, 100.0}) {
         const auto dirty = static_cast<std::size_t>(0.01 * percent * static_cast<double>(count));
-        group.cases.push_back({fmt::format("changed_since: {} % dirty", percent),
-                               [data, dirty] { return find_changed(*data, dirty); },
-                               "",
-                               {},
-                               "us/walk"});
+        const auto add = [&](std::string_view way, detail::ChangeWalk how) {
+            group.cases.push_back({fmt::format("changed_since: {} % dirty{}", percent, way),
+                                   [data, dirty, how] { return find_changed(*data, dirty, how); },
+                                   "",
+                                   {},
+                                   "us/walk"});
+        };
+        add("", detail::ChangeWalk::automatic);
+        if (percent == 0.0 || percent > 6.0) continue;
+        add("; queue", detail::ChangeWalk::queue);
+        add("; sweep", detail::ChangeWalk::sweep);
     }
     return group;
 }

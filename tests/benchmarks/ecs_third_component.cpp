@@ -41,9 +41,11 @@ Group component_group(std::size_t count) {
     const std::string removing = "remove it again";
     Group group{"third component: raw push_back", [count] { return create_raw(count); }, {}};
     group.cases = {
-        {"third component: add", [count] { return add<Extra>(count); }, adding, limit_add},
+        // In tables the whole entity moves: it pays where the component is walked far more often than it comes and
+        // goes.
+        {"third component: add", [count] { return add<Extra>(count); }, adding, {}},
         {"third component: add; sparse", [count] { return add<SparseExtra>(count); }, adding, limit_add},
-        {"third component: remove", [count] { return remove<Extra>(count); }, removing, limit_remove},
+        {"third component: remove", [count] { return remove<Extra>(count); }, removing, {}},
         {"third component: remove; sparse", [count] { return remove<SparseExtra>(count); }, removing, limit_remove},
     };
     return group;
