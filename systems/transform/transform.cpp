@@ -12,9 +12,15 @@
 namespace hachure {
 namespace {
 
-/// Every entity, with what its place follows from, its place in the tree, and the place that it has.
-using Nodes = Query<Optional<const Transform>, Optional<const LocalMatrix>, Optional<const Parent>,
-                    Optional<const Children>, Optional<const WorldTransform>>;
+/// Every entity, to ask which of these changed.
+using Moves = Query<Optional<const Transform>, Optional<const LocalMatrix>, Optional<const Parent>>;
+
+/// Every entity, with what its place follows from, who stands on it, and the place that it has.
+using Nodes = Query<Optional<const Transform>, Optional<const LocalMatrix>, Optional<const Children>,
+                    Optional<const WorldTransform>>;
+
+/// What is looked up again and again has a query of its own: a look-up costs by the number of terms.
+using Parents = Query<const Parent>;
 
 glm::mat4 local_matrix(const Transform* transform, const LocalMatrix* local) {
     if (local) return local->matrix;
@@ -27,25 +33,14 @@ glm::mat4 local_matrix(const Transform* transform, const LocalMatrix* local) {
     return matrix;
 }
 
-Entity parent_of(const Nodes& nodes, Entity entity) {
-    const Parent* parent = std::get<const Parent*>(*nodes.find(entity));
-    return parent ? parent->entity : Entity::null;
-}
-
-/// The matrix that the children of `entity` stand in; the identity for null.
-glm::mat4 world_from_node(const Nodes& nodes, Entity entity) {
-    glm::mat4 matrix(1.0f);
-    while (entity) {
-        const auto [self, transform, local, parent, children, placed] = *nodes.find(entity);
-        matrix = local_matrix(transform, local) * matrix;
-        entity = parent ? parent->entity : Entity::null;
-    }
-    return matrix;
+Entity parent_of(const Parents& parents, Entity entity) {
+    const auto found = parents.find(entity);
+    return found ? std::get<const Parent&>(*found).entity : Entity::null;
 }
 
 /// Whether an ancestor moved as well, so that updating that one's branch does it.
-bool below_another(const Nodes& nodes, Entity entity, const std::unordered_set<Entity>& moved) {
-    for (Entity at = parent_of(nodes, entity); at; at = parent_of(nodes, at))
+bool below_another(const Parents& parents, Entity entity, const std::unordered_set<Entity>& moved) {
+    for (Entity at = parent_of(parents, entity); at; at = parent_of(parents, at))
         if (moved.contains(at)) return true;
     return false;
 }
@@ -53,15 +48,15 @@ bool below_another(const Nodes& nodes, Entity entity, const std::unordered_set<E
 /// Writes the places of whole branches. Those that have none yet get theirs after the system, by command.
 class Placement {
 public:
-    Placement(const Nodes& nodes, const Query<WorldTransform>& places, Commands& commands)
-        : nodes_(nodes), places_(places), commands_(commands) {}
+    Placement(const Nodes& nodes, const Parents& parents, const Query<WorldTransform>& places, Commands& commands)
+        : nodes_(nodes), parents_(parents), places_(places), commands_(commands) {}
 
     void place_branch(Entity root) {
-        pending_.assign({{root, world_from_node(nodes_, parent_of(nodes_, root))}});
+        pending_.assign({{root, world_from_parent(root)}});
         while (!pending_.empty()) {
             const auto [entity, above] = pending_.back();
             pending_.pop_back();
-            const auto [self, transform, local, parent, children, placed] = *nodes_.find(entity);
+            const auto [self, transform, local, children, placed] = *nodes_.find(entity);
             const glm::mat4 matrix = above * local_matrix(transform, local);
             place(entity, placed, {matrix});
             if (!children) continue;
@@ -70,6 +65,15 @@ public:
     }
 
 private:
+    glm::mat4 world_from_parent(Entity entity) const {
+        glm::mat4 matrix(1.0f);
+        for (Entity at = parent_of(parents_, entity); at; at = parent_of(parents_, at)) {
+            const auto [self, transform, local, children, placed] = *nodes_.find(at);
+            matrix = local_matrix(transform, local) * matrix;
+        }
+        return matrix;
+    }
+
     void place(Entity entity, const WorldTransform* before, const WorldTransform& now) {
         if (!before)
             commands_.add(entity, now);
@@ -78,27 +82,30 @@ private:
     }
 
     const Nodes& nodes_;
+    const Parents& parents_;
     const Query<WorldTransform>& places_;
     Commands& commands_;
     std::vector<std::pair<Entity, glm::mat4>> pending_; ///< with the matrix that each stands in
 };
 
-void update_transforms(Nodes nodes, Removed<Transform> no_transform, Removed<LocalMatrix> no_matrix,
-                       Removed<Parent> no_parent, LastRun last, Query<WorldTransform> places, Commands& commands) {
-    std::unordered_set<Entity> moved;
-    for (const auto& node : nodes.changed_since<Transform, LocalMatrix, Parent>(last.tick))
-        moved.insert(std::get<Entity>(node));
+void update_transforms(Moves moves, Nodes nodes, Parents parents, Removed<Transform> no_transform,
+                       Removed<LocalMatrix> no_matrix, Removed<Parent> no_parent, LastRun last,
+                       Query<WorldTransform> places, Commands& commands) {
+    std::vector<Entity> list;
+    for (const auto& move : moves.changed_since<Transform, LocalMatrix, Parent>(last.tick))
+        list.push_back(std::get<Entity>(move));
     // Who lost one of them stands elsewhere, too.
     const auto add_living = [&](const auto& removed) {
         for (const Entity entity : removed)
-            if (nodes.contains(entity)) moved.insert(entity);
+            if (nodes.contains(entity)) list.push_back(entity);
     };
     add_living(no_transform);
     add_living(no_matrix);
     add_living(no_parent);
-    Placement placement(nodes, places, commands);
+    const std::unordered_set<Entity> moved(list.begin(), list.end());
+    Placement placement(nodes, parents, places, commands);
     for (const Entity entity : moved)
-        if (!below_another(nodes, entity, moved)) placement.place_branch(entity);
+        if (!below_another(parents, entity, moved)) placement.place_branch(entity);
 }
 
 } // namespace
