@@ -8,6 +8,12 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace hachure {
 namespace {
@@ -23,6 +29,15 @@ std::string range_text(const FieldInfo& field) {
     std::string text(to_string(field.kind));
     if (field.range) text += fmt::format(" [{:g}, {:g}]", field.range->min, field.range->max);
     if (!field.unit.empty()) text += " " + field.unit;
+    return text;
+}
+
+/// A type's name as the compiler spells it, without the namespaces that the house's own types are in.
+std::string bare_name(std::string_view name) {
+    std::string text(name);
+    for (const std::string_view space : {"hachure::", "(anonymous namespace)::", "{anonymous}::", "<unnamed>::"})
+        for (std::size_t at = text.find(space); at != std::string::npos; at = text.find(space, at))
+            text.erase(at, space.size());
     return text;
 }
 
@@ -48,9 +63,25 @@ void list_aovs(App& app) {
     }
 }
 
+/// "reads A, B; writes C; queues commands", as far as it applies.
+std::string access_text(const Access& access) {
+    if (access.exclusive) return "anything; runs alone";
+    std::vector<std::string> reads, writes;
+    if (access.reads_world) reads.emplace_back("anything");
+    for (const auto* items : {&access.components, &access.resources})
+        for (const Access::Item& item : *items) (item.writes ? writes : reads).push_back(bare_name(item.name));
+    std::ranges::sort(reads);
+    std::ranges::sort(writes);
+    std::vector<std::string> parts;
+    if (!reads.empty()) parts.push_back(fmt::format("reads {}", fmt::join(reads, ", ")));
+    if (!writes.empty()) parts.push_back(fmt::format("writes {}", fmt::join(writes, ", ")));
+    if (access.commands) parts.emplace_back("queues commands");
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 void list_systems(App& app) {
-    for (const SystemTime& system : app.schedule().times())
-        print(fmt::format("{:<10} {}\n", to_string(system.stage), system.name));
+    for (const SystemInfo& system : app.schedule().systems())
+        print(fmt::format("{:<10} {:<18} {}\n", to_string(system.stage), system.name, access_text(system.access)));
 }
 
 } // namespace

@@ -157,6 +157,14 @@ std::span<const SystemTime> Schedule::times() const {
     return times_;
 }
 
+std::vector<SystemInfo> Schedule::systems() const {
+    plan();
+    std::vector<SystemInfo> result;
+    for (const detail::SystemEntry* system : order_.systems)
+        result.push_back({system->name, system->stage, system->access});
+    return result;
+}
+
 std::vector<std::string_view> Schedule::names() const {
     plan();
     std::vector<std::string_view> result;

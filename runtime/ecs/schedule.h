@@ -1,5 +1,6 @@
 #pragma once
 
+#include <hachure/runtime/ecs/access.h>
 #include <hachure/runtime/ecs/fixed_step.h>
 #include <hachure/runtime/ecs/schedule_plan.h>
 #include <hachure/runtime/ecs/stage.h>
@@ -25,6 +26,13 @@ struct SystemTime {
     std::string_view name; ///< as given to `Schedule::add`; holds while the schedule lives
     Stage stage;
     double ms; ///< wall clock, conditions and commands included; the sum over fixed steps
+};
+
+/// What a schedule knows of one system before it runs.
+struct SystemInfo {
+    std::string_view name; ///< holds while the schedule lives
+    Stage stage;
+    Access access; ///< of the system and its conditions
 };
 
 /// Two systems that would run at the same time if they did not conflict, and that nobody has put in order: their order
@@ -125,6 +133,9 @@ public:
     /// One entry per system in order, from the last run; 0 ms for a system that has not run in it. Holds until systems
     /// are added.
     std::span<const SystemTime> times() const;
+
+    /// One entry per system, in the order in which they run.
+    std::vector<SystemInfo> systems() const;
 
     /// The names in the order in which the systems run.
     std::vector<std::string_view> names() const;

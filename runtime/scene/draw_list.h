@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -23,20 +24,23 @@ struct DrawItem {
     std::uint32_t object_id = 0; ///< AOV `object_id`: 1 for the entity made first, and so on
     gpu::Rect rect;              ///< pixels that it can touch, cut to the view
     bool mirrored = false;       ///< the transform turns front faces round
-    /// The capability that shades it: its render pass draws the items that carry its name.
-    std::string_view shading = "unlit";
 };
 
-/// What this frame's view sees, in the order of object ids. A resource: systems/surface fills it in stage `material`,
-/// the capabilities that shade claim their items after it in the same stage, and draw them in stage `render`.
+/// What this frame's view sees, in the order of object ids. A resource: systems/surface fills it in stage `material`
+/// ("surface.collect").
 struct DrawList {
     std::vector<DrawItem> items;
     std::uint64_t key = 0; ///< changes whenever an item or the view does: what a pass that draws them depends on
+};
 
-    [[nodiscard]] bool shaded_by(std::string_view shading) const {
-        for (const DrawItem& item : items)
-            if (item.shading == shading) return true;
-        return false;
+/// Which capability shades each item of the DrawList. A resource of its own, so that who only looks at the items need
+/// not wait for claims: "surface.collect" resets it, the capabilities that shade claim their items after it in the same
+/// stage, and draw them in stage `render`.
+struct DrawClaims {
+    std::vector<std::string_view> shading; ///< by item: the name of the capability; "unlit" where none claims it
+
+    [[nodiscard]] bool any(std::string_view capability) const {
+        return std::ranges::find(shading, capability) != shading.end();
     }
 };
 

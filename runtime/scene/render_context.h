@@ -17,6 +17,7 @@
 namespace hachure {
 
 /// The GPU side of a world: everything that render systems draw with. A resource, made by Renderer.
+/// Its context belongs to one thread: systems that use it take World&, which keeps them on the thread that runs frames.
 struct RenderContext {
     explicit RenderContext(gpu::Context& gpu_context)
         : context(&gpu_context), backend(std::make_unique<gpu::GlFrameGraphBackend>()),

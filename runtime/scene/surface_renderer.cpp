@@ -106,18 +106,21 @@ void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& 
                    const SurfaceShading& shading) {
     bind_targets(render, pass, targets);
     render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
-    for (const DrawItem& item : world.resource<DrawList>().items)
-        if (item.shading == shading.name) draw_item(world, render, item, targets, shading);
+    const DrawList& list = world.resource<DrawList>();
+    const DrawClaims& claims = world.resource<DrawClaims>();
+    for (std::size_t i = 0; i < list.items.size(); ++i)
+        if (claims.shading[i] == shading.name) draw_item(world, render, list.items[i], targets, shading);
 }
 
 void add_surface_pass(World& world, const SurfaceShading& shading, std::uint64_t key) {
     const DrawList& list = world.resource<DrawList>();
-    if (!list.shaded_by(shading.name)) return;
+    const DrawClaims& claims = world.resource<DrawClaims>();
+    if (!claims.any(shading.name)) return;
     RenderContext& render = world.resource_mutable<RenderContext>();
     // Who shades an item can change while the list, lights and shading stay as they are.
     gpu::KeyHash claimed;
-    for (const DrawItem& item : list.items)
-        if (item.shading == shading.name) claimed.add(item.object_id);
+    for (std::size_t i = 0; i < list.items.size(); ++i)
+        if (claims.shading[i] == shading.name) claimed.add(list.items[i].object_id);
     const std::uint64_t light_key = world.resource<LightList>().key();
     render.graph.add_pass<SurfaceTargets>(
         shading.name,

@@ -26,14 +26,14 @@ struct SurfaceTargets {
 
 /// How a capability shades the items it has claimed in the DrawList.
 struct SurfaceShading {
-    std::string_view name;     ///< as in DrawItem::shading
+    std::string_view name;     ///< as in DrawClaims
     std::string_view fragment; ///< below shaders/; includes surface/surface.glsl and calls write_surface()
     /// Adds the defines that the item needs and sets its uniforms; either may be empty.
     std::function<void(Entity, std::vector<gpu::ShaderDefine>&)> defines;
     std::function<void(Entity, gpu::Program&)> uniforms;
 };
 
-/// Draws every item of the world's DrawList that `shading` has claimed into `targets`, from within a pass.
+/// Draws every item of the world's DrawList that `shading` has claimed (DrawClaims) into `targets`, from within a pass.
 void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& pass, const SurfaceTargets& targets,
                    const SurfaceShading& shading);
 

@@ -10,7 +10,6 @@
 #include <string>
 
 using namespace hachure;
-
 void draw(const World& world);
 
 // [readme]
@@ -51,10 +50,11 @@ int main() {
 // [/readme]
 
 void draw(const World& world) {
-    std::string rows;
+    const std::string edge = "+" + std::string(63, '-') + "+\n";
+    std::string rows = edge;
     for (int i = 0; i < 21; ++i) rows += "|" + std::string(63, ' ') + "|\n";
     for (auto [entity, position] : world.query<const Position>())
-        rows[66 * (20 - int(position.at.y + 0.5f)) + int(position.at.x + 0.5f) + 1] = 'o';
-    std::printf("%s%s", ::isatty(STDOUT_FILENO) ? "\033[H\033[J" : "", rows.c_str());
+        rows[66 * (21 - int(position.at.y + 0.5f)) + int(position.at.x + 0.5f) + 1] = 'o';
+    std::printf("%s%s%s", ::isatty(STDOUT_FILENO) ? "\033[H\033[J" : "", rows.c_str(), edge.c_str());
     ::usleep(33'000);
 }

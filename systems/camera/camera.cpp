@@ -74,25 +74,24 @@ FramingFit fit_points(std::span<const glm::vec3> points, const glm::quat& camera
     return {{center, z}, z - nearest};
 }
 
+using Cameras = Query<const Camera, const WorldTransform>;
+
 /// The active camera that was made first: queries promise no order, entity indices do.
-Entity active_camera(World& world) {
+Entity active_camera(const Cameras& cameras) {
     Entity chosen = Entity::null;
-    for (auto [entity, camera, transform] : world.query<const Camera, const WorldTransform>())
+    for (auto [entity, camera, transform] : cameras)
         if (camera.active && (!chosen || entity < chosen)) chosen = entity;
     return chosen;
 }
 
-void update_view(World& world) {
-    const Entity entity = active_camera(world);
-    const Canvas canvas = world.resource<Canvas>();
-    View view;
-    if (entity) {
-        view = make_view(world.get<Camera>(entity), world.get<WorldTransform>(entity).matrix, canvas);
+void update_view(Cameras cameras, const Canvas& canvas, View& view) {
+    if (const auto active = cameras.find(active_camera(cameras))) {
+        const auto& [entity, camera, transform] = *active;
+        view = make_view(camera, transform.matrix, canvas);
         view.camera = entity;
     } else {
         view = make_view(Camera{}, glm::mat4(1.0f), canvas);
     }
-    if (!(world.resource<View>() == view)) world.resource_mutable<View>() = view;
 }
 
 } // namespace

@@ -108,7 +108,10 @@ void register_compose(App& app) {
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
     frame_requests(app.world())
         .known.push_back({"depth", "metres from the plane of the eye; 1e10 where nothing is drawn", {"Z"}});
-    app.add_system(Stage::render, "compose.passes", declare_passes);
+    app.add_system(Stage::render, "compose.passes", declare_passes)
+        .after("surface.passes")
+        .after("gooch.pass")
+        .after("edge_lines.pass");
 }
 
 } // namespace hachure

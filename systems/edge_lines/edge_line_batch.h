@@ -54,12 +54,12 @@ private:
 /// The batches of all entities with EdgeLines, kept from frame to frame.
 class EdgeLineBatches {
 public:
-    /// Chooses the entity's edges anew if view, transform, mesh or component changed.
+    /// Chooses the entity's edges anew if view, transform, mesh or component changed. Needs no context.
     void update(const MeshStore& store, const DrawItem& item, const EdgeLines& lines, const View& view);
 
     [[nodiscard]] EdgeLineBatch& get(Entity entity) { return batches_.at(entity); }
 
-    /// Drops the batches of entities that are not in `drawn`.
+    /// Drops the batches of entities that are not in `drawn`; needs a context, which their buffers belong to.
     void forget_all_but(std::span<const Entity> drawn);
 
 private:

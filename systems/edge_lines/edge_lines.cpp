@@ -38,20 +38,20 @@ gpu::Rect grown(const gpu::Rect& rect, int margin, const View& view) {
             std::min(view.height, rect.y + rect.height + margin) - y};
 }
 
-void update_batches(World& world) {
-    const View& view = world.resource<View>();
-    EdgeLineFrame& frame = world.resource_mutable<EdgeLineFrame>();
+void update_batches(Query<const EdgeLines> styled, const DrawList& list, const MeshStore& store, const View& view,
+                    EdgeLineFrame& frame, LineLayer& layer) {
     frame.drawn.clear();
     frame.rect = {};
-    for (const DrawItem& item : world.resource<DrawList>().items) {
-        const EdgeLines* lines = world.find<EdgeLines>(item.entity);
-        if (!lines || !draws_anything(*lines)) continue;
-        frame.batches.update(world.resource<MeshStore>(), item, *lines, view);
+    for (const DrawItem& item : list.items) {
+        const auto found = styled.find(item.entity);
+        if (!found) continue;
+        const EdgeLines& lines = std::get<const EdgeLines&>(*found);
+        if (!draws_anything(lines)) continue;
+        frame.batches.update(store, item, lines, view);
         frame.drawn.push_back(item.entity);
-        frame.rect = united(frame.rect, grown(item.rect, static_cast<int>(std::ceil(lines->width)) + 2, view));
+        frame.rect = united(frame.rect, grown(item.rect, static_cast<int>(std::ceil(lines.width)) + 2, view));
     }
-    frame.batches.forget_all_but(frame.drawn);
-    world.resource_mutable<LineLayer>().rect = frame.rect;
+    layer.rect = frame.rect;
 }
 
 struct LinePass {
@@ -86,7 +86,9 @@ void draw_lines(World& world, RenderContext& render, const LinePass& data, gpu::
 }
 
 void declare_pass(World& world) {
-    const EdgeLineFrame& frame = world.resource<EdgeLineFrame>();
+    EdgeLineFrame& frame = world.resource_mutable<EdgeLineFrame>();
+    // Here and not where edges are chosen, which happens on any thread: batches own buffers of the context.
+    frame.batches.forget_all_but(frame.drawn);
     if (frame.drawn.empty() || frame.rect.width <= 0 || frame.rect.height <= 0) return;
     RenderContext& render = world.resource_mutable<RenderContext>();
     gpu::FrameGraph& graph = render.graph;
@@ -110,8 +112,8 @@ void register_edge_lines(App& app) {
     app.add_component<EdgeLines>();
     app.world().set_resource(EdgeLineFrame{});
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
-    app.add_system(Stage::material, "edge_lines.select", update_batches);
-    app.add_system(Stage::render, "edge_lines.pass", declare_pass);
+    app.add_system(Stage::material, "edge_lines.select", update_batches).after("surface.collect");
+    app.add_system(Stage::render, "edge_lines.pass", declare_pass).after("surface.passes").after("gooch.pass");
 }
 
 } // namespace hachure

@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::string_view shading_name = "gooch";
 
-void claim_items(World& world) {
-    for (DrawItem& item : world.resource_mutable<DrawList>().items)
-        if (world.has<Gooch>(item.entity)) item.shading = shading_name;
+void claim_items(Query<With<Gooch>> styled, const DrawList& list, DrawClaims& claims) {
+    for (std::size_t i = 0; i < list.items.size(); ++i)
+        if (styled.contains(list.items[i].entity)) claims.shading[i] = shading_name;
 }
 
 void add_defines(const Gooch& gooch, std::vector<gpu::ShaderDefine>& defines) {
@@ -42,8 +42,8 @@ void declare_pass(World& world) {
 
 void register_gooch(App& app) {
     app.add_component<Gooch>();
-    app.add_system(Stage::material, "gooch.claim", claim_items);
-    app.add_system(Stage::render, "gooch.pass", declare_pass);
+    app.add_system(Stage::material, "gooch.claim", claim_items).after("surface.collect");
+    app.add_system(Stage::render, "gooch.pass", declare_pass).after("surface.passes");
 }
 
 } // namespace hachure

@@ -45,10 +45,9 @@ struct DefaultLight {
     [[nodiscard]] glm::mat4 pose() const { return glm::mat4_cast(rotation); }
 };
 
-void gather_lights(World& world) {
-    const View& view = world.resource<View>();
+void gather_lights(Query<const Light, const WorldTransform> placed, const View& view, LightList& list) {
     std::vector<std::pair<Entity, ShadingLight>> found;
-    for (auto [entity, light, transform] : world.query<const Light, const WorldTransform>()) {
+    for (auto [entity, light, transform] : placed) {
         const glm::mat4 place = world_from_light(light, transform.matrix, view);
         if (glm::length(glm::vec3(place[2])) > 0.0f) found.emplace_back(entity, shading_light(light, place));
     }
@@ -64,13 +63,12 @@ void gather_lights(World& world) {
     if (found.size() > LightList::max_lights) found.resize(LightList::max_lights);
     const float strongest = found.empty() ? 0.0f : strength(found.front().second);
 
-    LightList list;
+    list.lights.clear();
     for (auto& [entity, light] : found) {
         // Tones are relative: the strongest light gives full colour whatever its unit (lux, candela).
         light.color = strongest > 0.0f ? light.color / strongest : glm::vec3(0.0f);
         list.lights.push_back(light);
     }
-    if (!(world.resource<LightList>() == list)) world.resource_mutable<LightList>() = std::move(list);
 }
 
 } // namespace
@@ -87,7 +85,7 @@ Entity spawn_default_light(World& world) {
 void register_light(App& app) {
     app.add_component<Light>();
     app.world().set_resource(LightList{});
-    app.add_system(Stage::light, "light", gather_lights);
+    app.add_system(Stage::light, "light", gather_lights).after("camera");
 }
 
 } // namespace hachure

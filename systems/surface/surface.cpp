@@ -30,35 +30,41 @@ DrawItem draw_item(Entity entity, const Surface& surface, const glm::mat4& matri
     return item;
 }
 
-/// What the list is made from; while it stays the same, so does the list.
-std::uint64_t sources_key(const World& world) {
-    return gpu::key_of(world.resource<View>().key(), world.last_changed<Surface>(),
-                       world.last_changed<WorldTransform>());
+using PlacedSurfaces = Query<const Surface, const WorldTransform>;
+
+std::vector<DrawItem> visible_items(const PlacedSurfaces& surfaces, const View& view, const MeshStore& store) {
+    std::vector<DrawItem> items;
+    for (auto [entity, surface, transform] : surfaces)
+        if (surface.visible) items.push_back(draw_item(entity, surface, transform.matrix));
+    std::ranges::sort(items, {}, &DrawItem::entity);
+    std::vector<DrawItem> visible;
+    std::uint32_t id = 0;
+    for (DrawItem& item : items) {
+        item.object_id = ++id;
+        const geometry::Bounds bounds = transformed(store.mesh(item.mesh).bounds, item.world_from_entity);
+        if (outside_frustum(bounds, view.clip_from_world)) continue;
+        item.rect = screen_rect(bounds, view);
+        visible.push_back(item);
+    }
+    return visible;
 }
 
-void update_draw_list(World& world) {
-    const std::uint64_t key = sources_key(world);
-    if (world.resource<DrawList>().key != key) {
-        const View& view = world.resource<View>();
-        const MeshStore& store = world.resource<MeshStore>();
-        std::vector<DrawItem> items;
-        for (auto [entity, surface, transform] : world.query<const Surface, const WorldTransform>())
-            if (surface.visible) items.push_back(draw_item(entity, surface, transform.matrix));
-        std::ranges::sort(items, {}, &DrawItem::entity);
-        std::vector<DrawItem> visible;
-        std::uint32_t id = 0;
-        for (DrawItem& item : items) {
-            item.object_id = ++id;
-            const geometry::Bounds bounds = transformed(store.mesh(item.mesh).bounds, item.world_from_entity);
-            if (outside_frustum(bounds, view.clip_from_world)) continue;
-            item.rect = screen_rect(bounds, view);
-            visible.push_back(item);
-        }
-        world.resource_mutable<DrawList>() = {std::move(visible), key};
+/// Makes the list anew when a surface changed, or the view did.
+class CollectSurfaces {
+public:
+    void operator()(PlacedSurfaces surfaces, Removed<Surface> bare, Removed<WorldTransform> unplaced, LastRun last,
+                    const View& view, const MeshStore& store, DrawList& list, DrawClaims& claims) {
+        const bool changed = !surfaces.changed_since<Surface, WorldTransform>(last.tick).empty();
+        if (changed || !bare.empty() || !unplaced.empty()) ++version_;
+        const std::uint64_t key = gpu::key_of(view.key(), version_);
+        if (list.key != key) list = {visible_items(surfaces, view, store), key};
+        // Who shades an item can change without the list: every capability claims anew.
+        claims.shading.assign(list.items.size(), unlit);
     }
-    // Who shades an item can change without the list: every capability claims anew.
-    for (DrawItem& item : world.resource_mutable<DrawList>().items) item.shading = unlit;
-}
+
+private:
+    std::uint64_t version_ = 0; ///< how often surfaces were seen to have changed
+};
 
 gpu::Format color_format(const FrameRequests& requests) {
     return requests.wants("color") ? gpu::Format::rgba32f : gpu::Format::srgb8_alpha8;
@@ -118,6 +124,7 @@ void register_surface(App& app) {
     World& world = app.world();
     if (!world.find_resource<MeshStore>()) world.set_resource(MeshStore{});
     world.set_resource(DrawList{});
+    world.set_resource(DrawClaims{});
     std::vector<AovInfo>& aovs = frame_requests(world).known;
     aovs.push_back({"color", "the picture in linear RGB, before it is encoded; not clamped", {"R", "G", "B"}});
     aovs.push_back({"normal",
@@ -125,7 +132,7 @@ void register_surface(App& app) {
                     {"normal.X", "normal.Y", "normal.Z"}});
     aovs.push_back(
         {"object_id", "1 for the surface entity made first, and so on; 0 where nothing is drawn", {"object_id"}});
-    app.add_system(Stage::material, "surface.collect", update_draw_list);
+    app.add_system(Stage::material, "surface.collect", CollectSurfaces{});
     app.add_system(Stage::render, "surface.passes", declare_passes);
 }
 

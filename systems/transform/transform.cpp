@@ -5,88 +5,114 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace hachure {
 namespace {
 
-glm::mat4 local_matrix(const World& world, Entity entity) {
-    if (const LocalMatrix* local = world.find<LocalMatrix>(entity)) return local->matrix;
-    const Transform* t = world.find<Transform>(entity);
-    if (!t) return glm::mat4(1.0f);
-    glm::mat4 matrix = glm::mat4_cast(t->rotation);
-    matrix[0] *= t->scale.x;
-    matrix[1] *= t->scale.y;
-    matrix[2] *= t->scale.z;
-    matrix[3] = glm::vec4(t->translation, 1.0f);
+/// Every entity, to ask which of these changed.
+using Moves = Query<Optional<const Transform>, Optional<const LocalMatrix>, Optional<const Parent>>;
+
+/// Every entity, with what its place follows from, who stands on it, and the place that it has.
+using Nodes = Query<Optional<const Transform>, Optional<const LocalMatrix>, Optional<const Children>,
+                    Optional<const WorldTransform>>;
+
+/// What is looked up again and again has a query of its own: a look-up costs by the number of terms.
+using Parents = Query<const Parent>;
+
+glm::mat4 local_matrix(const Transform* transform, const LocalMatrix* local) {
+    if (local) return local->matrix;
+    if (!transform) return glm::mat4(1.0f);
+    glm::mat4 matrix = glm::mat4_cast(transform->rotation);
+    matrix[0] *= transform->scale.x;
+    matrix[1] *= transform->scale.y;
+    matrix[2] *= transform->scale.z;
+    matrix[3] = glm::vec4(transform->translation, 1.0f);
     return matrix;
 }
 
-/// Remembers when it last looked, so that a frame in which nothing moved costs three comparisons.
-class TransformSystem {
+Entity parent_of(const Parents& parents, Entity entity) {
+    const auto found = parents.find(entity);
+    return found ? std::get<const Parent&>(*found).entity : Entity::null;
+}
+
+/// Whether an ancestor moved as well, so that updating that one's branch does it.
+bool below_another(const Parents& parents, Entity entity, const std::unordered_set<Entity>& moved) {
+    for (Entity at = parent_of(parents, entity); at; at = parent_of(parents, at))
+        if (moved.contains(at)) return true;
+    return false;
+}
+
+/// Writes the places of whole branches. Those that have none yet get theirs after the system, by command.
+class Placement {
 public:
-    void operator()(World& world) {
-        const Tick newest = std::max(
-            {world.last_changed<Transform>(), world.last_changed<LocalMatrix>(), world.last_changed<Parent>()});
-        if (newest <= seen_) return;
-        std::vector<Entity> moved;
-        collect<Transform>(world, moved);
-        collect<LocalMatrix>(world, moved);
-        collect<Parent>(world, moved);
-        collect_removed<Parent>(world, moved);
-        collect_removed<LocalMatrix>(world, moved);
-        collect_removed<Transform>(world, moved);
-        const std::unordered_set<Entity> all(moved.begin(), moved.end());
-        for (const Entity entity : all)
-            if (!below_another(world, entity, all)) update(world, entity);
-        seen_ = newest;
-    }
+    Placement(const Nodes& nodes, const Parents& parents, const Query<WorldTransform>& places, Commands& commands)
+        : nodes_(nodes), parents_(parents), places_(places), commands_(commands) {}
 
-private:
-    template <class C> void collect(World& world, std::vector<Entity>& moved) const {
-        for (auto [entity, value] : world.query<const C>().template changed_since<C>(seen_)) moved.push_back(entity);
-    }
-
-    /// Who lost a C stands elsewhere, too.
-    template <class C> void collect_removed(const World& world, std::vector<Entity>& moved) const {
-        for (const Entity entity : world.removed_since<C>(seen_))
-            if (world.alive(entity)) moved.push_back(entity);
-    }
-
-    /// Whether an ancestor moved as well, so that updating that one's branch does it.
-    static bool below_another(const World& world, Entity entity, const std::unordered_set<Entity>& moved) {
-        for (Entity at = world.parent(entity); at; at = world.parent(at))
-            if (moved.contains(at)) return true;
-        return false;
-    }
-
-    static void update(World& world, Entity entity) {
-        glm::mat4 parent(1.0f);
-        for (Entity at = world.parent(entity); at; at = world.parent(at)) parent = local_matrix(world, at) * parent;
-        update_branch(world, entity, parent);
-    }
-
-    static void update_branch(World& world, Entity root, const glm::mat4& parent) {
-        std::vector<std::pair<Entity, glm::mat4>> pending{{root, parent}};
-        while (!pending.empty()) {
-            const auto [entity, above] = pending.back();
-            pending.pop_back();
-            const glm::mat4 matrix = above * local_matrix(world, entity);
-            world.set_if_different(entity, WorldTransform{matrix});
-            for (const Entity child : world.children(entity)) pending.emplace_back(child, matrix);
+    void place_branch(Entity root) {
+        pending_.assign({{root, world_from_parent(root)}});
+        while (!pending_.empty()) {
+            const auto [entity, above] = pending_.back();
+            pending_.pop_back();
+            const auto [self, transform, local, children, placed] = *nodes_.find(entity);
+            const glm::mat4 matrix = above * local_matrix(transform, local);
+            place(entity, placed, {matrix});
+            if (!children) continue;
+            for (const Entity child : children->entities) pending_.emplace_back(child, matrix);
         }
     }
 
-    Tick seen_ = 0;
+private:
+    glm::mat4 world_from_parent(Entity entity) const {
+        glm::mat4 matrix(1.0f);
+        for (Entity at = parent_of(parents_, entity); at; at = parent_of(parents_, at)) {
+            const auto [self, transform, local, children, placed] = *nodes_.find(at);
+            matrix = local_matrix(transform, local) * matrix;
+        }
+        return matrix;
+    }
+
+    void place(Entity entity, const WorldTransform* before, const WorldTransform& now) {
+        if (!before)
+            commands_.add(entity, now);
+        else if (!(*before == now))
+            std::get<WorldTransform&>(*places_.find(entity)) = now;
+    }
+
+    const Nodes& nodes_;
+    const Parents& parents_;
+    const Query<WorldTransform>& places_;
+    Commands& commands_;
+    std::vector<std::pair<Entity, glm::mat4>> pending_; ///< with the matrix that each stands in
 };
+
+void update_transforms(Moves moves, Nodes nodes, Parents parents, Removed<Transform> no_transform,
+                       Removed<LocalMatrix> no_matrix, Removed<Parent> no_parent, LastRun last,
+                       Query<WorldTransform> places, Commands& commands) {
+    std::vector<Entity> list;
+    for (const auto& move : moves.changed_since<Transform, LocalMatrix, Parent>(last.tick))
+        list.push_back(std::get<Entity>(move));
+    // Who lost one of them stands elsewhere, too.
+    const auto add_living = [&](const auto& removed) {
+        for (const Entity entity : removed)
+            if (nodes.contains(entity)) list.push_back(entity);
+    };
+    add_living(no_transform);
+    add_living(no_matrix);
+    add_living(no_parent);
+    const std::unordered_set<Entity> moved(list.begin(), list.end());
+    Placement placement(nodes, parents, places, commands);
+    for (const Entity entity : moved)
+        if (!below_another(parents, entity, moved)) placement.place_branch(entity);
+}
 
 } // namespace
 
 void register_transform(App& app) {
     app.add_component<Transform>();
-    app.add_system(Stage::transform, "transform", TransformSystem{});
+    app.add_system(Stage::transform, "transform", update_transforms);
 }
 
 } // namespace hachure

@@ -80,6 +80,19 @@ TEST(List, SystemsInTheOrderOfTheirStages) {
     }
 }
 
+TEST(List, SystemsWithWhatTheyReadAndWrite) {
+    const auto line = [lines = list("systems")](const std::string& name) {
+        for (const std::string& each : lines)
+            if (each.find(" " + name + " ") != std::string::npos) return each;
+        return std::string();
+    };
+    EXPECT_TRUE(line("camera").ends_with(" reads Camera, Canvas, WorldTransform; writes View")) << line("camera");
+    EXPECT_NE(line("edge_lines.select").find("; writes EdgeLineFrame, LineLayer"), std::string::npos)
+        << line("edge_lines.select");
+    EXPECT_TRUE(line("transform").ends_with("; writes WorldTransform; queues commands")) << line("transform");
+    EXPECT_TRUE(line("gooch.pass").ends_with(" anything; runs alone")) << line("gooch.pass");
+}
+
 /// The rows of `hachure info FILE`, by name.
 std::map<std::string, std::string> info(const TempFolder& folder, const std::string& file) {
     const ProcessResult result = forked_command({"info", file}, folder.path());

@@ -1,9 +1,14 @@
+#include <hachure/runtime/app/app.h>
+#include <hachure/systems/capabilities.h>
 #include <hachure/tests/editor/program.h>
 #include <hachure/tests/support/glb_file.h>
 
 #include <nlohmann/json.hpp>
 
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace hachure::test {
 namespace {
@@ -53,6 +58,22 @@ TEST_F(Stats, FollowsItsFormat) {
     }
     for (const auto& [name, count] : frame["counts"].items()) EXPECT_TRUE(count.is_number_unsigned()) << name;
     for (const auto& [name, bytes] : stats["memory"].items()) EXPECT_TRUE(bytes.is_number_unsigned()) << name;
+}
+
+/// Also of those that ran beside others.
+TEST_F(Stats, HasATimeForEverySystem) {
+    App app;
+    register_capabilities(app);
+    for (const char* threads : {"1", "4"}) {
+        const json systems = render({"--threads", threads})["frames"][0]["systems"];
+        std::vector<std::string> names;
+        for (const json& system : systems) {
+            names.push_back(system["name"]);
+            EXPECT_GT(system["ms"].get<double>(), 0.0) << system["name"] << " with " << threads << " threads";
+        }
+        const std::vector<std::string_view> all = app.schedule().names();
+        EXPECT_EQ(names, std::vector<std::string>(all.begin(), all.end()));
+    }
 }
 
 TEST_F(Stats, CountsWhatIsDrawn) {

@@ -1,6 +1,7 @@
 #include <hachure/components/compose.h>
 #include <hachure/components/edge_lines.h>
 #include <hachure/components/gooch.h>
+#include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/render_context.h>
 
 #include <functional>
@@ -109,6 +110,30 @@ TEST_P(FrameTest, WritingTheSameTransformMovesNothing) {
     Still still(context());
     static_cast<void>(still.scene.world().get_mutable<Transform>(still.torus));
     EXPECT_EQ(in_state(still.scene.draw_passes(), PassState::run), none);
+}
+
+TEST_P(FrameTest, OnlySurfacesAndTheViewMakeTheDrawListAnew) {
+    Still still(context());
+    const auto key = [&] { return still.scene.world().resource<DrawList>().key; };
+    const std::uint64_t first = key();
+    still.scene.world().get_mutable<Transform>(still.light).rotation = {1, 0, 0, 0};
+    EXPECT_EQ(in_state(still.scene.draw_passes(), PassState::run).count("gooch"), 1u) << "it is lit anew";
+    EXPECT_EQ(key(), first) << "a light is no surface";
+    std::set<std::uint64_t> keys{first};
+    const auto expect_anew = [&](const char* what) {
+        still.scene.draw();
+        EXPECT_TRUE(keys.insert(key()).second) << what;
+    };
+    still.scene.world().get_mutable<Transform>(still.torus).translation.x = 0.1f;
+    expect_anew("moved");
+    still.scene.world().get_mutable<Surface>(still.torus).tint = {1, 0, 0};
+    expect_anew("tinted");
+    still.scene.world().remove<Surface>(still.sphere);
+    expect_anew("without its surface");
+    still.scene.world().destroy(still.torus);
+    expect_anew("destroyed");
+    still.scene.world().get_mutable<Camera>(still.camera).yfov = 0.9f;
+    expect_anew("seen from another camera");
 }
 
 /// Whatever is changed, the picture is the one that a graph which kept nothing would draw.

@@ -152,6 +152,29 @@ TEST(ScheduleOrderTest, ConditionsRaceToo) {
     EXPECT_EQ(schedule.ambiguities().size(), 1u);
 }
 
+TEST(ScheduleOrderTest, SaysWhatSystemsTouch) {
+    Schedule schedule;
+    schedule.add(Stage::render, "draw", [](World&) {});
+    schedule.add(Stage::script, "steer", [](Query<const Position, Speed>, Commands&) {}).run_if([](const Wind&) {
+        return true;
+    });
+    const std::vector<SystemInfo> systems = schedule.systems();
+    ASSERT_EQ(systems.size(), 2u);
+    EXPECT_EQ(systems[0].name, "steer");
+    EXPECT_EQ(systems[0].stage, Stage::script);
+    Access expected;
+    expected.read_component<Position>();
+    expected.write_component<Speed>();
+    expected.read_resource<Wind>();
+    const auto same = [](const Access::Item& a, const Access::Item& b) { return a.id == b.id && a.writes == b.writes; };
+    EXPECT_TRUE(std::ranges::equal(systems[0].access.components, expected.components, same));
+    EXPECT_TRUE(std::ranges::equal(systems[0].access.resources, expected.resources, same)) << "of the condition";
+    EXPECT_TRUE(systems[0].access.commands);
+    EXPECT_FALSE(systems[0].access.exclusive);
+    EXPECT_EQ(systems[1].name, "draw");
+    EXPECT_TRUE(systems[1].access.exclusive);
+}
+
 TEST(ScheduleOrderTest, NamesWhatSystemsRaceOn) {
     const auto on = [](auto first, auto second) {
         Schedule schedule;
