@@ -59,18 +59,19 @@ void World::destroy_tables(const std::vector<detail::Table*>& tables) {
     const auto in_tree = [](const detail::Table* table) {
         return table->has(detail::component_id<Children>()) || table->has(detail::component_id<Parent>());
     };
+    // Collected first: a parent moves to another table when its last child goes.
+    std::vector<Entity> one_by_one;
     for (detail::Table* table : tables) {
         if (!observed_ && !in_tree(table)) {
             store_->destroy_all(*table);
             continue;
         }
-        std::vector<Entity> entities;
         for (const std::uint32_t chunk : table->chunks()) {
             const auto rows = table->entities(chunk);
-            entities.insert(entities.end(), rows.begin(), rows.end());
+            one_by_one.insert(one_by_one.end(), rows.begin(), rows.end());
         }
-        destroy_many(entities);
     }
+    destroy_many(one_by_one);
 }
 
 void World::clear() {
