@@ -91,7 +91,7 @@ void World::restore_entities(const EntityIds& ids) {
     store_->ids().restore(ids, [this](Entity entity) { revive(entity); });
 }
 
-void World::notify(const std::vector<detail::Observer>& observers, Entity entity) {
+void World::notify(const std::deque<detail::Observer>& observers, Entity entity) {
     const detail::IterationLock::Guard guard(store_->lock());
     // By number: an observer may add observers.
     for (std::size_t i = 0; i < observers.size(); ++i) observers[i](*this, entity);

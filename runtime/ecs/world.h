@@ -11,6 +11,7 @@
 #include <hachure/runtime/ecs/tick.h>
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <span>
@@ -216,7 +217,7 @@ private:
     template <class C> C& write(Entity entity);
     template <class... C, class F> void create_rows(std::size_t count, F&& init);
 
-    void notify(const std::vector<detail::Observer>& observers, Entity entity);
+    void notify(const std::deque<detail::Observer>& observers, Entity entity);
     void notify_added(Entity entity);
     void notify_removed(Entity entity);
     void destroy_one(Entity entity);

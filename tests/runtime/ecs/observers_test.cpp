@@ -246,6 +246,20 @@ TYPED_TEST(ObserversTest, MayQueueCommandsWhileCommandsAreApplied) {
     }
 }
 
+TYPED_TEST(ObserversTest, MayAddObservers) {
+    using C = TypeParam;
+    World& world = this->observed;
+    int calls = 0;
+    world.on_add<C>([&calls](World& in, Entity) {
+        for (int i = 0; i < 10; ++i) in.on_add<C>([](World&, Entity) {});
+        ++calls; // what the function holds is still there
+    });
+    world.create_with(C{"a"});
+    EXPECT_EQ(calls, 1);
+    world.create_with(C{"b"});
+    EXPECT_EQ(calls, 2);
+}
+
 TEST(ObserversOfTheTreeTest, ParentAndChildrenComeAndGo) {
     World world;
     std::vector<std::string> told;
