@@ -34,19 +34,20 @@ bool World::destroy(Entity entity) {
     const detail::Table& table = store_->table_of(at);
     const bool has_children = table.has(detail::component_id<Children>());
     if (!has_children && !table.has(detail::component_id<Parent>())) {
-        destroy_one(entity);
+        if (observed_) notify_removed(entity);
+        store_->destroy(entity);
         return true;
     }
     detach(entity);
     const std::vector<Entity> below = has_children ? descendants(entity) : std::vector<Entity>{};
-    destroy_one(entity);
-    for (const Entity descendant : below) destroy_one(descendant);
-    return true;
-}
-
-void World::destroy_one(Entity entity) {
-    if (observed_) notify_removed(entity);
+    if (observed_) {
+        // Before any of them goes, so that observers find the parents alive.
+        notify_removed(entity);
+        for (const Entity descendant : below) notify_removed(descendant);
+    }
     store_->destroy(entity);
+    for (const Entity descendant : below) store_->destroy(descendant);
+    return true;
 }
 
 void World::destroy_many(std::span<const Entity> entities) {
@@ -76,12 +77,11 @@ void World::destroy_tables(const std::vector<detail::Table*>& tables) {
 
 void World::clear() {
     store_->lock().assert_idle();
-    for (const auto& table : store_->tables()) {
-        if (observed_)
+    if (observed_)
+        for (const auto& table : store_->tables())
             for (const std::uint32_t chunk : table->chunks())
                 for (const Entity entity : table->entities(chunk)) notify_removed(entity);
-        store_->destroy_all(*table);
-    }
+    for (const auto& table : store_->tables()) store_->destroy_all(*table);
 }
 
 EntityIds World::entity_ids() const { return store_->ids().ids(); }

@@ -220,7 +220,6 @@ private:
     void notify(const std::deque<detail::Observer>& observers, Entity entity);
     void notify_added(Entity entity);
     void notify_removed(Entity entity);
-    void destroy_one(Entity entity);
     void destroy_tables(const std::vector<detail::Table*>& tables);
     void revive(Entity reserved);
     void detach(Entity child);

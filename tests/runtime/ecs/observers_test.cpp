@@ -287,6 +287,26 @@ TEST(ObserversOfTheTreeTest, ParentAndChildrenComeAndGo) {
     EXPECT_THAT(std::exchange(told, {}), UnorderedElementsAre("-parent of 2", "-children of 1"));
 }
 
+TEST(ObserversOfTheTreeTest, SeeTheWholeTreeThatGoes) {
+    World world;
+    const Entity root = world.create_with(Label{"root"});
+    const Entity child = world.create_with(Label{"child"});
+    const Entity leaf = world.create_with(Label{"leaf"});
+    world.set_parent(child, root);
+    world.set_parent(leaf, child);
+    std::vector<std::string> told;
+    world.on_remove<Label>([&](World& in, Entity entity) {
+        const Label* above = in.find<Label>(in.parent(entity));
+        told.push_back(in.get<Label>(entity).text + " under " + (above ? above->text : "nothing"));
+    });
+    world.instantiate(root);
+    world.destroy(root);
+    EXPECT_THAT(std::exchange(told, {}),
+                UnorderedElementsAre("root under nothing", "child under root", "leaf under child"));
+    world.clear();
+    EXPECT_THAT(told, UnorderedElementsAre("root under nothing", "child under root", "leaf under child"));
+}
+
 template <class F> void while_told(F f) {
     World world;
     world.create_with(Speed{});
