@@ -260,6 +260,11 @@ void EntityStore::destroy(Entity entity) {
     ids_->release(entity);
 }
 
+void EntityStore::forget_changes() {
+    for (const auto& component : records_)
+        if (component && component->log.last_changed() == tick_) component->log.note_many(tick_);
+}
+
 void EntityStore::destroy_all(Table& table) {
     for (const auto& column : table.columns()) column.component->log.note_removed(table.size(), tick_);
     for (const std::uint32_t chunk : table.chunks()) {

@@ -169,6 +169,10 @@ public:
     /// Ends every entity of a table.
     void destroy_all(Table& table);
 
+    /// Gives the queues of changes of this tick up: handles that they list come back to life, and a queue holds an
+    /// entity once per tick.
+    void forget_changes();
+
     RemovalLog& removals() { return removals_; }
     const RemovalLog& removals() const { return removals_; }
 

@@ -88,6 +88,7 @@ EntityIds World::entity_ids() const { return store_->ids().ids(); }
 
 void World::restore_entities(const EntityIds& ids) {
     clear();
+    store_->forget_changes();
     store_->ids().restore(ids, [this](Entity entity) { revive(entity); });
 }
 
