@@ -154,6 +154,17 @@ Table::Rows EntityStore::create_rows(Table& table, std::size_t wanted, Tick now)
     return rows;
 }
 
+void EntityStore::drop_raw_rows(Table::Rows rows, std::uint32_t made) {
+    Table& table = table_of(rows.first);
+    for (const auto& column : table.columns()) column.component->log.note_removed(rows.count - made, tick_);
+    for (std::uint32_t i = rows.count; i-- > made;) {
+        const Location at(rows.first.chunk(), rows.first.row() + i);
+        const Entity entity = table.entities(at.chunk())[at.row()];
+        table.drop_row(at);
+        ids_->release(entity);
+    }
+}
+
 Entity EntityStore::copy(Entity from, Table& to) {
     const Entity entity = create(to);
     const Location source = ids_->find(from);

@@ -137,6 +137,9 @@ public:
     /// values are the caller's to construct.
     Table::Rows create_rows(Table& table, std::size_t wanted, Tick now);
 
+    /// Takes those of new rows back that follow the first `made`, whose values were never constructed.
+    void drop_raw_rows(Table::Rows rows, std::uint32_t made);
+
     /// A new entity in `to` with copies of the components of `from` that `to` has, and of its sparse ones.
     Entity copy(Entity from, Table& to);
 

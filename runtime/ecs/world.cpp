@@ -102,6 +102,10 @@ void World::notify_added(Entity entity) {
     for (detail::ComponentRecord* component : store_->observed_components(entity)) notify(component->added, entity);
 }
 
+void World::notify_added(std::span<const Entity> entities) {
+    for (const Entity entity : entities) notify_added(entity);
+}
+
 void World::notify_removed(Entity entity) {
     for (detail::ComponentRecord* component : store_->observed_components(entity)) notify(component->removed, entity);
 }
