@@ -32,7 +32,8 @@ void Commands::apply(World& world) {
         Commands& commands;
         ~ClearAtEnd() { commands.clear(); }
     } const clear_at_end{*this};
-    for (const Command& command : queued_) execute(world, command);
+    // By number, and copied: an observer may queue more.
+    for (std::size_t i = 0; i < queued_.size(); ++i) execute(world, Command(queued_[i]));
 }
 
 void Commands::execute(World& world, const Command& command) {

@@ -4,9 +4,9 @@
 #include <hachure/runtime/ecs/component_info.h>
 #include <hachure/runtime/ecs/entity.h>
 
+#include <deque>
 #include <functional>
 #include <memory>
-#include <vector>
 
 namespace hachure {
 class World;
@@ -23,8 +23,8 @@ struct ComponentRecord {
     const ComponentInfo* info;
     ChangeLog log;
     std::unique_ptr<SparseStore> sparse; ///< of components with sparse storage
-    std::vector<Observer> added;
-    std::vector<Observer> removed;
+    std::deque<Observer> added; ///< no vector: an observer that adds another one stays where it is
+    std::deque<Observer> removed;
 
     explicit ComponentRecord(const ComponentInfo& of);
     ~ComponentRecord();

@@ -157,6 +157,17 @@ Table::Rows EntityStore::create_rows(Table& table, std::size_t wanted, Tick now)
     return rows;
 }
 
+void EntityStore::drop_raw_rows(Table::Rows rows, std::uint32_t made) {
+    Table& table = table_of(rows.first);
+    for (const auto& column : table.columns()) column.component->log.note_removed(rows.count - made, tick_);
+    for (std::uint32_t i = rows.count; i-- > made;) {
+        const Location at(rows.first.chunk(), rows.first.row() + i);
+        const Entity entity = table.entities(at.chunk())[at.row()];
+        table.drop_row(at);
+        ids_->release(entity);
+    }
+}
+
 Entity EntityStore::copy(Entity from, Table& to) {
     const Entity entity = create(to);
     const Location source = ids_->find(from);
@@ -287,6 +298,11 @@ std::size_t EntityStore::destroy_last(std::span<const Entity> entities) {
     if (table)
         for (const auto& column : table->columns()) column.component->log.note_removed(rows, tick_);
     return left;
+}
+
+void EntityStore::forget_changes() {
+    for (const auto& component : records_)
+        if (component && component->log.last_changed() == tick_) component->log.note_many(tick_);
 }
 
 void EntityStore::destroy_all(Table& table) {

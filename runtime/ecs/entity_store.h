@@ -138,6 +138,9 @@ public:
     /// values are the caller's to construct.
     Table::Rows create_rows(Table& table, std::size_t wanted, Tick now);
 
+    /// Takes those of new rows back that follow the first `made`, whose values were never constructed.
+    void drop_raw_rows(Table::Rows rows, std::uint32_t made);
+
     /// A new entity in `to` with copies of the components of `from` that `to` has, and of its sparse ones.
     Entity copy(Entity from, Table& to);
 
@@ -173,6 +176,10 @@ public:
 
     /// Ends every entity of a table.
     void destroy_all(Table& table);
+
+    /// Gives the queues of changes of this tick up: handles that they list come back to life, and a queue holds an
+    /// entity once per tick.
+    void forget_changes();
 
     RemovalLog& removals() { return removals_; }
     const RemovalLog& removals() const { return removals_; }

@@ -20,7 +20,7 @@ enum class Storage : std::uint8_t {
 /// The storage of C.
 template <class C> inline constexpr Storage storage_of = Storage::table;
 template <class C>
-requires requires { C::storage; }
+requires std::same_as<decltype((C::storage)), const Storage&>
 inline constexpr Storage storage_of<C> = C::storage;
 
 namespace detail {

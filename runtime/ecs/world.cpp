@@ -32,19 +32,20 @@ bool World::destroy(Entity entity) {
     if (!at) return false;
     store_->lock().assert_idle();
     if (!store_->table_of(at).in_tree) {
-        destroy_one(entity);
+        if (observed_) notify_removed(entity);
+        store_->destroy(entity);
         return true;
     }
     detach(entity);
     const std::vector<Entity> below = descendants(entity);
-    destroy_one(entity);
-    for (const Entity descendant : below) destroy_one(descendant);
-    return true;
-}
-
-void World::destroy_one(Entity entity) {
-    if (observed_) notify_removed(entity);
+    if (observed_) {
+        // Before any of them goes, so that observers find the parents alive.
+        notify_removed(entity);
+        for (const Entity descendant : below) notify_removed(descendant);
+    }
     store_->destroy(entity);
+    for (const Entity descendant : below) store_->destroy(descendant);
+    return true;
 }
 
 void World::destroy_many(std::span<const Entity> entities) {
@@ -60,41 +61,39 @@ void World::destroy_many(std::span<const Entity> entities) {
 
 void World::destroy_tables(const std::vector<detail::Table*>& tables) {
     store_->lock().assert_idle();
-    const auto in_tree = [](const detail::Table* table) {
-        return table->has(detail::component_id<Children>()) || table->has(detail::component_id<Parent>());
-    };
+    // Collected first: a parent moves to another table when its last child goes.
+    std::vector<Entity> one_by_one;
     for (detail::Table* table : tables) {
-        if (!observed_ && !in_tree(table)) {
+        if (!observed_ && !table->in_tree) {
             store_->destroy_all(*table);
             continue;
         }
-        std::vector<Entity> entities;
         for (const std::uint32_t chunk : table->chunks()) {
             const auto rows = table->entities(chunk);
-            entities.insert(entities.end(), rows.begin(), rows.end());
+            one_by_one.insert(one_by_one.end(), rows.begin(), rows.end());
         }
-        destroy_many(entities);
     }
+    destroy_many(one_by_one);
 }
 
 void World::clear() {
     store_->lock().assert_idle();
-    for (const auto& table : store_->tables()) {
-        if (observed_)
+    if (observed_)
+        for (const auto& table : store_->tables())
             for (const std::uint32_t chunk : table->chunks())
                 for (const Entity entity : table->entities(chunk)) notify_removed(entity);
-        store_->destroy_all(*table);
-    }
+    for (const auto& table : store_->tables()) store_->destroy_all(*table);
 }
 
 EntityIds World::entity_ids() const { return store_->ids().ids(); }
 
 void World::restore_entities(const EntityIds& ids) {
     clear();
+    store_->forget_changes();
     store_->ids().restore(ids, [this](Entity entity) { revive(entity); });
 }
 
-void World::notify(const std::vector<detail::Observer>& observers, Entity entity) {
+void World::notify(const std::deque<detail::Observer>& observers, Entity entity) {
     const detail::IterationLock::Guard guard(store_->lock());
     // By number: an observer may add observers.
     for (std::size_t i = 0; i < observers.size(); ++i) observers[i](*this, entity);
@@ -102,6 +101,10 @@ void World::notify(const std::vector<detail::Observer>& observers, Entity entity
 
 void World::notify_added(Entity entity) {
     for (detail::ComponentRecord* component : store_->observed_components(entity)) notify(component->added, entity);
+}
+
+void World::notify_added(std::span<const Entity> entities) {
+    for (const Entity entity : entities) notify_added(entity);
 }
 
 void World::notify_removed(Entity entity) {

@@ -11,6 +11,7 @@
 #include <hachure/runtime/ecs/tick.h>
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <span>
@@ -48,6 +49,8 @@ public:
     template <Component... C> std::vector<Entity> create_many(std::size_t count, const C&... components);
 
     /// Creates `count` entities with default-constructed C..., and calls `init(i, entity, C&...)` for each, i from 0.
+    /// It touches no components but those: entities that follow are not whole yet, and changing the structure asserts.
+    /// When it throws, those that it was called for stay.
     template <Component... C, class F> void create_each(std::size_t count, F&& init);
 
     /// Destroys an entity with all its descendants; false when it is dead already.
@@ -214,12 +217,15 @@ private:
     template <class C> C& assign(Entity entity, C value);
     template <class C> bool erase(Entity entity);
     template <class C> C& write(Entity entity);
-    template <class... C, class F> void create_rows(std::size_t count, F&& init);
+    template <class... C, class Make, class F> void create_rows(std::size_t count, Make&& make, F&& init);
+    template <class... C, class Make, class F> void create_row(std::size_t i, Make& make, F& init);
+    template <class... C, class Make, class F>
+    std::size_t fill_rows(detail::Table& table, std::size_t done, std::size_t count, Make& make, F& init);
 
-    void notify(const std::vector<detail::Observer>& observers, Entity entity);
+    void notify(const std::deque<detail::Observer>& observers, Entity entity);
     void notify_added(Entity entity);
+    void notify_added(std::span<const Entity> entities);
     void notify_removed(Entity entity);
-    void destroy_one(Entity entity);
     void destroy_tables(const std::vector<detail::Table*>& tables);
     void revive(Entity reserved);
     void detach(Entity child);

@@ -5,6 +5,10 @@
 #include <hachure/runtime/ecs/world.h>
 
 #include <concepts>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <tuple>
 #include <utility>
 
 namespace hachure {
@@ -23,50 +27,73 @@ template <Component... C> Entity World::create_with(C... components) {
 template <Component... C> std::vector<Entity> World::create_many(std::size_t count, const C&... components) {
     std::vector<Entity> result;
     result.reserve(count);
-    create_rows<C...>(count, [&](std::size_t, Entity entity, C*... places) {
-        (new (places) C(components), ...);
-        result.push_back(entity);
-    });
+    create_rows<C...>(
+        count, [&](C*... places) { (new (places) C(components), ...); },
+        [&](std::size_t, Entity entity, C&...) { result.push_back(entity); });
     return result;
 }
 
 template <Component... C, class F> void World::create_each(std::size_t count, F&& init) {
-    create_rows<C...>(count,
-                      [&init](std::size_t i, Entity entity, C*... places) { init(i, entity, *new (places) C{}...); });
+    create_rows<C...>(
+        count, [](C*... places) { (new (places) C{}, ...); }, init);
 }
 
-template <class... C, class F> void World::create_rows(std::size_t count, F&& init) {
+template <class... C, class Make, class F> void World::create_rows(std::size_t count, Make&& make, F&& init) {
     static_assert((!detail::managed_by_world<C> && ...),
                   "Parent and Children change through set_parent and clear_parent");
     store_->lock().assert_idle();
-    const Tick now = tick();
-    detail::EntityStore& store = *store_;
+    // Not by `init`, either: rows that follow hold no values yet.
+    const detail::IterationLock::Guard guard(store_->lock());
     if constexpr ((detail::is_sparse<C> || ...)) {
-        for (std::size_t i = 0; i < count; ++i) {
-            // Raw memory for each component, filled as in a table, then moved to where it belongs.
-            std::tuple<detail::Raw<C>...> raw;
-            const Entity entity = store.create(store.table_for<C...>());
-            init(i, entity, std::get<detail::Raw<C>>(raw).place()...);
-            const detail::Location row = store.ids().find(entity);
-            (store.emplace<C>(entity, row, store.record<C>(), std::move(*std::get<detail::Raw<C>>(raw).place())), ...);
-            (std::destroy_at(std::get<detail::Raw<C>>(raw).place()), ...);
-            if (observed_) notify_added(entity);
-        }
+        for (std::size_t i = 0; i < count; ++i) create_row<C...>(i, make, init);
     } else {
-        detail::Table& table = store.table_for<C...>();
-        for (std::size_t done = 0; done < count;) {
-            const auto rows = store.create_rows(table, count - done, now);
-            const auto& chunk = store.chunks()[rows.first.chunk()];
-            const Entity* entities = table.entities(rows.first.chunk()).data() + rows.first.row();
-            const auto fill = [&](C*... columns) {
-                for (std::uint32_t i = 0; i < rows.count; ++i) init(done + i, entities[i], detail::step(columns, i)...);
-            };
-            fill(detail::step(reinterpret_cast<C*>(chunk.data + table.offset(detail::component_id<C>())),
-                              rows.first.row())...);
-            for (std::uint32_t i = 0; observed_ && i < rows.count; ++i) notify_added(entities[i]);
-            done += rows.count;
-        }
+        detail::Table& table = store_->table_for<C...>();
+        for (std::size_t done = 0; done < count;) done += fill_rows<C...>(table, done, count, make, init);
     }
+}
+
+template <class... C, class Make, class F> void World::create_row(std::size_t i, Make& make, F& init) {
+    detail::EntityStore& store = *store_;
+    // Raw memory for each component, filled as in a table, then moved to where it belongs.
+    std::tuple<detail::Raw<C>...> raw;
+    make(std::get<detail::Raw<C>>(raw).place()...);
+    const Entity entity = store.create(store.table_for<C...>());
+    const detail::Location row = store.ids().find(entity);
+    const std::tuple<C&...> values{
+        store.emplace<C>(entity, row, store.record<C>(), std::move(*std::get<detail::Raw<C>>(raw).place()))...};
+    (std::destroy_at(std::get<detail::Raw<C>>(raw).place()), ...);
+    try {
+        init(i, entity, std::get<C&>(values)...);
+    } catch (...) {
+        if (observed_) notify_added(entity);
+        throw;
+    }
+    if (observed_) notify_added(entity);
+}
+
+template <class... C, class Make, class F>
+std::size_t World::fill_rows(detail::Table& table, std::size_t done, std::size_t count, Make& make, F& init) {
+    detail::EntityStore& store = *store_;
+    const auto rows = store.create_rows(table, count - done, tick());
+    [[maybe_unused]] std::byte* const data = store.chunks()[rows.first.chunk()].data;
+    const Entity* entities = table.entities(rows.first.chunk()).data() + rows.first.row();
+    std::uint32_t made = 0;
+    const auto fill = [&](C*... columns) {
+        for (std::uint32_t i = 0; i < rows.count; ++i) {
+            make(detail::step(columns, i)...);
+            ++made;
+            init(done + i, entities[i], *detail::step(columns, i)...);
+        }
+    };
+    try {
+        fill(detail::step(reinterpret_cast<C*>(data + table.offset(detail::component_id<C>())), rows.first.row())...);
+    } catch (...) {
+        store.drop_raw_rows(rows, made);
+        if (observed_) notify_added({entities, made});
+        throw;
+    }
+    if (observed_) notify_added({entities, made});
+    return rows.count;
 }
 
 template <class... Terms> void World::destroy_matching(const Query<Terms...>& query) {

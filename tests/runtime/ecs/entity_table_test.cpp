@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <random>
+#include <thread>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace hachure {
@@ -95,12 +99,118 @@ TEST(EntityTableTest, ForeignHandlesAreDead) {
     EXPECT_FALSE(table.alive({entity.index, 0}));
 }
 
+TEST(EntityTableTest, APromiseIsReserved) {
+    detail::EntityTable table;
+    const Entity before = live(table);
+    const Entity first = table.promise();
+    const Entity second = table.promise();
+    EXPECT_NE(first, second);
+    EXPECT_TRUE(table.reserved(first) && table.reserved(second));
+    EXPECT_FALSE(table.alive(first) || table.alive(second));
+    EXPECT_FALSE(table.reserved({second.index + 1, 1})) << "nobody was promised that";
+    EXPECT_FALSE(table.reserved({first.index, 2}));
+    EXPECT_FALSE(table.reserved(Entity::null));
+    EXPECT_EQ(table.alive_count(), 1u);
+    table.activate(second, {5, 6});
+    EXPECT_TRUE(table.alive(second) && table.reserved(first));
+    table.activate(first, {7, 8});
+    EXPECT_EQ(table.find(first), (detail::Location{7, 8}));
+    EXPECT_EQ(table.find(second), (detail::Location{5, 6}));
+    EXPECT_EQ(table.find(before), (detail::Location{before.index, 7}));
+    EXPECT_EQ(table.alive_count(), 3u);
+}
+
+TEST(EntityTableTest, PromisesAndReservationsGiveTheSameHandles) {
+    // In any order of the two, and with slots that are free again.
+    std::mt19937 random(1);
+    detail::EntityTable table, reference;
+    std::vector<Entity> entities;
+    for (int step = 0; step < 3000; ++step) {
+        if (random() % 3 > 0 || entities.empty()) {
+            const Entity expected = reference.reserve();
+            ASSERT_EQ(random() % 2 ? table.promise() : table.reserve(), expected);
+            entities.push_back(expected);
+        } else {
+            std::swap(entities[random() % entities.size()], entities.back());
+            if (random() % 2 && table.reserved(entities.back())) {
+                table.activate(entities.back(), {1, 1});
+                reference.activate(entities.back(), {1, 1});
+            } else {
+                table.release(entities.back());
+                reference.release(entities.back());
+                entities.pop_back();
+            }
+        }
+        ASSERT_EQ(table.alive_count(), reference.alive_count());
+        for (const Entity entity : entities) {
+            ASSERT_EQ(table.alive(entity), reference.alive(entity));
+            ASSERT_EQ(table.reserved(entity), reference.reserved(entity));
+        }
+        if (step % 100 != 0) continue;
+        ASSERT_EQ(table.ids().generations, reference.ids().generations);
+        ASSERT_EQ(table.ids().free, reference.ids().free);
+    }
+}
+
+TEST(EntityTableTest, PromisesMayBeTakenBack) {
+    detail::EntityTable table;
+    std::vector<Entity> promised;
+    for (int i = 0; i < 1000; ++i) promised.push_back(table.promise());
+    for (const Entity entity : promised) table.release(entity);
+    EXPECT_EQ(table.alive_count(), 0u);
+    for (const Entity entity : promised) EXPECT_FALSE(table.reserved(entity) || table.alive(entity));
+    const Entity next = live(table);
+    EXPECT_EQ(next, (Entity{promised.back().index, 2}));
+}
+
+TEST(EntityTableTest, PromisesAreAmongTheIds) {
+    detail::EntityTable table;
+    const Entity gone = live(table);
+    live(table);
+    table.release(gone);
+    EXPECT_EQ(table.promise(), (Entity{gone.index, 2}));
+    const Entity fresh = table.promise();
+    const EntityIds ids = table.ids();
+    EXPECT_EQ(ids.generations, (std::vector<std::uint32_t>{2, 1, 1}));
+    EXPECT_TRUE(ids.free.empty());
+    EXPECT_TRUE(table.reserved(fresh)) << "asking changes nothing";
+}
+
+TEST(EntityTableTest, PromisesWriteNothingThatReadersRead) {
+    // For the thread sanitizer: one thread looks up what lives and what is dead, another is promised handles.
+    detail::EntityTable table;
+    std::vector<Entity> alive, dead;
+    for (int i = 0; i < 400; ++i) alive.push_back(live(table));
+    for (int i = 0; i < 200; ++i) {
+        dead.push_back(alive.back());
+        table.release(alive.back());
+        alive.pop_back();
+    }
+    std::thread reader([&] {
+        for (int round = 0; round < 20; ++round) {
+            for (const Entity entity : alive) EXPECT_EQ(table.find(entity).chunk(), entity.index);
+            for (const Entity entity : dead) EXPECT_FALSE(table.alive(entity));
+            EXPECT_EQ(table.alive_count(), 200u);
+        }
+    });
+    std::vector<Entity> promised;
+    for (int i = 0; i < 1000; ++i) promised.push_back(table.promise());
+    reader.join();
+    for (const Entity entity : promised) table.activate(entity, {entity.index, 7});
+    EXPECT_EQ(table.alive_count(), 1200u);
+    for (const Entity entity : promised) EXPECT_EQ(table.find(entity).chunk(), entity.index);
+}
+
 TEST(EntityTableDeathTest, EndsAnEntityOnce) {
     detail::EntityTable table;
     const Entity entity = live(table);
     table.release(entity);
     EXPECT_DEATH(table.release(entity), "ends once");
     EXPECT_DEATH(table.activate(entity, {0, 0}), "becomes alive");
+    const Entity promised = table.promise();
+    table.release(promised);
+    EXPECT_DEATH(table.release(promised), "ends once");
+    EXPECT_DEATH(table.activate({1000, 1}, {0, 0}), "becomes alive");
 }
 
 } // namespace

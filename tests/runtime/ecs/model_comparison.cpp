@@ -15,8 +15,9 @@ void Twins::compare_sample() {
         ASSERT_EQ(world_.alive(entity), model_.alive(entity));
         if (model_.alive(entity)) compare_entity(entity, model_.nodes.at(entity));
     }
-    compare_plain_query(pick(6));
-    compare_change_query(pick(4));
+    compare_plain_query(pick(plain_shapes));
+    compare_sparse_query(pick(sparse_shapes));
+    compare_change_query(pick(change_shapes));
 }
 
 void Twins::compare() {
@@ -25,12 +26,14 @@ void Twins::compare() {
     for (const auto& [entity, node] : model_.nodes) compare_entity(entity, node);
     std::int64_t counted = 0;
     for (const auto& [entity, node] : model_.nodes)
-        counted += (node.has_all<Unique>() ? 1 : 0) + (node.has_all<Text>() ? 1 : 0);
+        counted +=
+            (node.has_all<Unique>() ? 1 : 0) + (node.has_all<Text>() ? 1 : 0) + (node.has_all<SparseText>() ? 1 : 0);
     ASSERT_EQ(Instances::live, counted);
     ASSERT_EQ(Instances::faults, 0);
     for (int kind = 0; kind < kinds; ++kind) compare_kind(kind);
-    for (std::uint64_t shape = 0; shape < 6; ++shape) compare_plain_query(shape);
-    for (std::uint64_t shape = 0; shape < 4; ++shape) compare_change_query(shape);
+    for (std::uint64_t shape = 0; shape < plain_shapes; ++shape) compare_plain_query(shape);
+    for (std::uint64_t shape = 0; shape < sparse_shapes; ++shape) compare_sparse_query(shape);
+    for (std::uint64_t shape = 0; shape < change_shapes; ++shape) compare_change_query(shape);
 }
 
 void Twins::compare_handles() {
@@ -142,34 +145,107 @@ void Twins::compare_plain_query(std::uint64_t shape) {
     }
 }
 
+void Twins::compare_sparse_query(std::uint64_t shape) {
+    const World& world = world_;
+    switch (shape) {
+    case 0:
+        compare_query(world.query<const SparseTriple>(), [](const Node& node) { return node.has_all<SparseTriple>(); });
+        break;
+    case 1:
+        compare_query(world.query<const Text, const SparseText, Without<SparseMark>>(),
+                      [](const Node& node) { return node.has_all<Text, SparseText>() && !node.has_any<SparseMark>(); });
+        break;
+    case 2:
+        compare_query(world.query<With<SparseMark, SparseTriple>>(),
+                      [](const Node& node) { return node.has_all<SparseMark, SparseTriple>(); });
+        break;
+    case 3:
+        compare_query(world.query<AnyOf<const SparseMark, const Large>, Without<Triple>>(),
+                      [](const Node& node) { return node.has_any<SparseMark, Large>() && !node.has_any<Triple>(); });
+        break;
+    case 4:
+        compare_query(world.query<AnyOf<const Unique, const Aligned64>>(),
+                      [](const Node& node) { return node.has_any<Unique, Aligned64>(); });
+        break;
+    case 5:
+        compare_query(
+            world.query<OfParent<const SparseTriple>, Optional<const SparseText>>(),
+            [this](const Node& node) { return node.parent && model_.nodes.at(node.parent).has_all<SparseTriple>(); });
+        break;
+    case 6:
+        compare_query(world.query<OfParent<const Triple>, const SparseMark>(), [this](const Node& node) {
+            return node.parent && model_.nodes.at(node.parent).has_all<Triple>() && node.has_all<SparseMark>();
+        });
+        break;
+    default:
+        // References lead to the components of the entity that is visited.
+        for (auto [entity, triple, text, mark, aligned, above] :
+             world.query<const SparseTriple, Optional<const SparseText>, AnyOf<const SparseMark, const Aligned32>,
+                         Optional<OfParent<const Text>>>()) {
+            ASSERT_EQ(&triple, world.find<SparseTriple>(entity));
+            ASSERT_EQ(text, world.find<SparseText>(entity));
+            ASSERT_EQ(mark, world.find<SparseMark>(entity));
+            ASSERT_EQ(aligned, world.find<Aligned32>(entity));
+            ASSERT_EQ(above, world.find<Text>(world.parent(entity)));
+        }
+    }
+}
+
+/// The same through the queue and through the sweep.
+template <class Query, class Matches> void Twins::compare_changes(const Query& query, Matches matches) {
+    using detail::ChangeWalk;
+    for (const ChangeWalk how : {ChangeWalk::queue, ChangeWalk::sweep, ChangeWalk::automatic})
+        compare_query(query.finding_changes(how), matches);
+}
+
 void Twins::compare_change_query(std::uint64_t shape) {
     const World& world = world_;
     // Mostly a few ticks ago, at times anywhere.
     const Tick since = once_in(3) ? pick(model_.tick + 1) : model_.tick - std::min(model_.tick, pick(5));
     switch (shape) {
     case 0:
-        compare_query(world.query<const Triple>().changed_since<Triple>(since),
-                      [since](const Node& node) { return node.changed_since<Triple>(since); });
+        compare_changes(world.query<const Triple>().changed_since<Triple>(since),
+                        [since](const Node& node) { return node.changed_since<Triple>(since); });
         break;
     case 1:
-        compare_query(world.query<const Text, Without<Mark>>().changed_since<Triple, Text, Aligned64>(since),
-                      [since](const Node& node) {
-                          return node.has_all<Text>() && !node.has_any<Mark>() &&
-                                 (node.changed_since<Triple>(since) || node.changed_since<Text>(since) ||
-                                  node.changed_since<Aligned64>(since));
-                      });
+        compare_changes(world.query<const Text, Without<Mark>>().changed_since<Triple, Text, Aligned64>(since),
+                        [since](const Node& node) {
+                            return node.has_all<Text>() && !node.has_any<Mark>() &&
+                                   (node.changed_since<Triple>(since) || node.changed_since<Text>(since) ||
+                                    node.changed_since<Aligned64>(since));
+                        });
         break;
     case 2:
-        compare_query(
+        compare_changes(
             world.query<Optional<const Large>>().added_since<Large, Unique>(since),
             [since](const Node& node) { return node.added_since<Large>(since) || node.added_since<Unique>(since); });
         break;
+    case 3:
+        compare_changes(world.query<const SparseText>().changed_since<SparseText>(since),
+                        [since](const Node& node) { return node.changed_since<SparseText>(since); });
+        break;
+    case 4:
+        compare_changes(world.query<With<SparseMark>>().added_since<SparseMark, SparseTriple, Text>(since),
+                        [since](const Node& node) {
+                            return node.has_all<SparseMark>() &&
+                                   (node.added_since<SparseMark>(since) || node.added_since<SparseTriple>(since) ||
+                                    node.added_since<Text>(since));
+                        });
+        break;
+    case 5:
+        compare_changes(world.query<AnyOf<const Triple, const SparseTriple>>()
+                            .changed_since<SparseTriple>(since)
+                            .changed_since<Text>(since),
+                        [since](const Node& node) {
+                            return node.changed_since<SparseTriple>(since) && node.changed_since<Text>(since);
+                        });
+        break;
     default:
-        compare_query(world.query<const Mark>().added_since<Mark>(since).changed_since<Unique, Aligned32>(since),
-                      [since](const Node& node) {
-                          return node.added_since<Mark>(since) &&
-                                 (node.changed_since<Unique>(since) || node.changed_since<Aligned32>(since));
-                      });
+        compare_changes(world.query<const Mark>().added_since<Mark>(since).changed_since<Unique, Aligned32>(since),
+                        [since](const Node& node) {
+                            return node.added_since<Mark>(since) &&
+                                   (node.changed_since<Unique>(since) || node.changed_since<Aligned32>(since));
+                        });
     }
 }
 

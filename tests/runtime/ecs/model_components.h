@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hachure/runtime/ecs/storage.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -115,7 +117,23 @@ struct Large {
     std::uint32_t number() const { return values.front() == values.back() ? values[256] : ~0u; }
 };
 
-inline constexpr int kinds = 7;
+/// Three with sparse storage: data, a tag, and one that owns memory.
+struct SparseTriple : Triple {
+    static constexpr auto storage = Storage::sparse;
+    static SparseTriple make(std::uint32_t n) { return {Triple::make(n)}; }
+};
+
+struct SparseMark : Mark {
+    static constexpr auto storage = Storage::sparse;
+    static SparseMark make(std::uint32_t) { return {}; }
+};
+
+struct SparseText : Text {
+    static constexpr auto storage = Storage::sparse;
+    static SparseText make(std::uint32_t n) { return {Text::make(n)}; }
+};
+
+inline constexpr int kinds = 10;
 
 /// The kind of a component.
 template <class C> inline constexpr int kind_of = -1;
@@ -126,6 +144,9 @@ template <> inline constexpr int kind_of<Aligned64> = 3;
 template <> inline constexpr int kind_of<Unique> = 4;
 template <> inline constexpr int kind_of<Text> = 5;
 template <> inline constexpr int kind_of<Large> = 6;
+template <> inline constexpr int kind_of<SparseTriple> = 7;
+template <> inline constexpr int kind_of<SparseMark> = 8;
+template <> inline constexpr int kind_of<SparseText> = 9;
 
 /// Calls `f.template operator()<C>()` for the component of a kind, 0 to kinds - 1.
 template <class F> decltype(auto) with_kind(int kind, F&& f) {
@@ -142,8 +163,14 @@ template <class F> decltype(auto) with_kind(int kind, F&& f) {
         return f.template operator()<Unique>();
     case 5:
         return f.template operator()<Text>();
-    default:
+    case 6:
         return f.template operator()<Large>();
+    case 7:
+        return f.template operator()<SparseTriple>();
+    case 8:
+        return f.template operator()<SparseMark>();
+    default:
+        return f.template operator()<SparseText>();
     }
 }
 

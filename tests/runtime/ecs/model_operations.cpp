@@ -46,9 +46,13 @@ void Twins::create_with_some() {
         (model_.put<C>(entity, n), ...);
     };
     using std::type_identity;
-    switch (pick(4)) {
+    switch (pick(6)) {
     case 0:
         return made(type_identity<Triple>(), type_identity<Text>());
+    case 3:
+        return made(type_identity<SparseMark>(), type_identity<Text>(), type_identity<SparseTriple>());
+    case 4:
+        return made(type_identity<SparseText>());
     case 1:
         return made(type_identity<Triple>(), type_identity<Mark>(), type_identity<Aligned64>());
     case 2:

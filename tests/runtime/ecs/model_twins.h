@@ -60,6 +60,7 @@ private:
     void sweep_with_each();
     void use_commands();
     void advance_tick();
+    void instantiate();
     void move_world();
     void restore_entities();
     void begin_again_with_same_handles();
@@ -68,9 +69,13 @@ private:
     void compare_entity(Entity entity, const Node& node);
     void compare_kind(int kind);
     void compare_handles();
-    void compare_queries();
+    static constexpr std::uint64_t plain_shapes = 6;
+    static constexpr std::uint64_t sparse_shapes = 8;
+    static constexpr std::uint64_t change_shapes = 7;
     void compare_plain_query(std::uint64_t shape);
     void compare_change_query(std::uint64_t shape);
+    void compare_sparse_query(std::uint64_t shape);
+    template <class Query, class Matches> void compare_changes(const Query& query, Matches matches);
     template <class Query, class Matches> void compare_query(const Query& query, Matches matches);
 
     std::mt19937_64 random_;
