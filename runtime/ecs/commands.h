@@ -1,7 +1,7 @@
 #pragma once
 
 #include <hachure/runtime/ecs/entity.h>
-#include <hachure/runtime/ecs/entity_table.h>
+#include <hachure/runtime/ecs/storage/entity_table.h>
 #include <hachure/runtime/ecs/world.h>
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <hachure/runtime/ecs/query_cursor.h>
+#include <hachure/runtime/ecs/query/query_cursor.h>
 #include <hachure/runtime/parallel.h>
 
 #include <algorithm>
@@ -201,4 +201,4 @@ private:
 
 } // namespace hachure
 
-#include <hachure/runtime/ecs/query_inline.h>
+#include <hachure/runtime/ecs/query/query_inline.h>

@@ -1,6 +1,6 @@
 #include <hachure/runtime/assert.h>
-#include <hachure/runtime/ecs/run_batch.h>
 #include <hachure/runtime/ecs/schedule.h>
+#include <hachure/runtime/ecs/schedule/run_batch.h>
 #include <hachure/runtime/ecs/world.h>
 
 #include <algorithm>

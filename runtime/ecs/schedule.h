@@ -1,11 +1,11 @@
 #pragma once
 
 #include <hachure/runtime/ecs/access.h>
-#include <hachure/runtime/ecs/fixed_step.h>
-#include <hachure/runtime/ecs/schedule_plan.h>
+#include <hachure/runtime/ecs/schedule/fixed_step.h>
+#include <hachure/runtime/ecs/schedule/schedule_plan.h>
+#include <hachure/runtime/ecs/schedule/system.h>
+#include <hachure/runtime/ecs/schedule/system_entry.h>
 #include <hachure/runtime/ecs/stage.h>
-#include <hachure/runtime/ecs/system.h>
-#include <hachure/runtime/ecs/system_entry.h>
 #include <hachure/runtime/ecs/tick.h>
 #include <hachure/runtime/ecs/time.h>
 

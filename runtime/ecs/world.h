@@ -3,11 +3,11 @@
 #include <hachure/runtime/ecs/ecs_error.h>
 #include <hachure/runtime/ecs/entity.h>
 #include <hachure/runtime/ecs/entity_map.h>
-#include <hachure/runtime/ecs/entity_store.h>
 #include <hachure/runtime/ecs/hierarchy.h>
 #include <hachure/runtime/ecs/query.h>
 #include <hachure/runtime/ecs/resources.h>
 #include <hachure/runtime/ecs/storage.h>
+#include <hachure/runtime/ecs/storage/entity_store.h>
 #include <hachure/runtime/ecs/tick.h>
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
-#include <hachure/tests/runtime/ecs/snapshot_support.h>
+#include <hachure/tests/runtime/ecs/snapshot/snapshot_support.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
