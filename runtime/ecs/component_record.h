@@ -23,7 +23,7 @@ struct ComponentRecord {
     const ComponentInfo* info;
     ChangeLog log;
     std::unique_ptr<SparseStore> sparse; ///< of components with sparse storage
-    std::deque<Observer> added; ///< no vector: an observer that adds another one stays where it is
+    std::deque<Observer> added;          ///< no vector: an observer that adds another one stays where it is
     std::deque<Observer> removed;
 
     explicit ComponentRecord(const ComponentInfo& of);
