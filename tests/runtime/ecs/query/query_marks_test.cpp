@@ -140,12 +140,14 @@ TEST_F(QueryMarksTest, ReachingIsVisiting) {
 TEST_F(QueryMarksTest, MovedIteratorsMarkOnce) {
     const auto query = world.query<Heat>();
     Visited visited;
-    auto it = query.begin();
-    for (int i = 0; i < 10; ++i) {
-        visited.insert(it.entity());
-        auto next = std::move(it);
-        it = std::move(next);
-        if (i < 9) ++it;
+    {
+        auto it = query.begin();
+        for (int i = 0; i < 10; ++i) {
+            visited.insert(it.entity());
+            auto next = std::move(it);
+            it = std::move(next);
+            if (i < 9) ++it;
+        }
     }
     expect_marked<Heat>(visited, "moved to and fro");
 }
