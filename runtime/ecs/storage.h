@@ -6,7 +6,8 @@
 
 namespace hachure {
 
-/// What an entity can carry: a movable struct or class.
+/// What an entity can carry: a movable struct or class. One that can be copied can be instantiated; a type that only
+/// looks as if (`std::vector<std::unique_ptr<T>>` does) deletes its copy constructor.
 template <class C>
 concept Component = std::is_class_v<C> && std::movable<C> && std::same_as<C, std::remove_cvref_t<C>>;
 
@@ -24,6 +25,11 @@ requires std::same_as<decltype((C::storage)), const Storage&>
 inline constexpr Storage storage_of<C> = C::storage;
 
 namespace detail {
+/// Whether C... names no type twice.
+template <class... C> inline constexpr bool distinct = true;
+template <class First, class... Rest>
+inline constexpr bool distinct<First, Rest...> = (!std::is_same_v<First, Rest> && ...) && distinct<Rest...>;
+
 template <class C> inline constexpr bool is_sparse = storage_of<std::remove_const_t<C>> == Storage::sparse;
 
 /// Bytes from one component of a column to the next. Empty types take no room: all share one address.

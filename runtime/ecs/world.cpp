@@ -1,3 +1,4 @@
+#include <hachure/runtime/assert.h>
 #include <hachure/runtime/ecs/commands.h>
 #include <hachure/runtime/ecs/world.h>
 
@@ -88,6 +89,7 @@ void World::clear() {
 EntityIds World::entity_ids() const { return store_->ids().ids(); }
 
 void World::restore_entities(const EntityIds& ids) {
+    HACHURE_ASSERT(commands_->empty(), "commands that wait are applied before handles are restored");
     clear();
     store_->forget_changes();
     store_->ids().restore(ids, [this](Entity entity) { revive(entity); });

@@ -16,6 +16,7 @@ namespace hachure {
 template <Component... C> Entity World::create_with(C... components) {
     static_assert((!detail::managed_by_world<C> && ...),
                   "Parent and Children change through set_parent and clear_parent");
+    static_assert(detail::distinct<C...>, "an entity has one component of a type");
     store_->lock().assert_idle();
     const Entity entity = store_->create(store_->table_for<C...>());
     const detail::Location row = store_->ids().find(entity);
@@ -39,6 +40,7 @@ template <Component... C, class F> void World::create_each(std::size_t count, F&
 }
 
 template <class... C, class Make, class F> void World::create_rows(std::size_t count, Make&& make, F&& init) {
+    static_assert(detail::distinct<C...>, "an entity has one component of a type");
     static_assert((!detail::managed_by_world<C> && ...),
                   "Parent and Children change through set_parent and clear_parent");
     store_->lock().assert_idle();

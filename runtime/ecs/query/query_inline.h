@@ -21,8 +21,11 @@ template <class F, class Item> decltype(auto) call_with(F& f, Item&& item) {
 }
 
 /// The span of `rows` values that begins with what a term fetched of the first row.
-template <class T> std::span<T> chunk_span(T& first, std::uint32_t rows) { return {&first, rows}; }
-template <class T> std::span<T> chunk_span(T* first, std::uint32_t rows) { return {first, first ? rows : 0}; }
+template <class T> std::span<T> chunk_span(T* first, std::uint32_t rows) {
+    static_assert(!std::is_empty_v<T>, "empty components have no array: ask for them with With<T>");
+    return {first, first ? rows : 0};
+}
+template <class T> std::span<T> chunk_span(T& first, std::uint32_t rows) { return chunk_span(&first, rows); }
 
 } // namespace detail
 

@@ -276,13 +276,11 @@ TEST_F(QueryTermsTest, SortsByKeysThatOwnMemory) {
 
 TEST_F(QueryTermsTest, ChunksGiveSpans) {
     std::vector<Entity> seen;
-    const auto query = world.query<Position, Optional<const Label>, const Hidden, AnyOf<const Label, const Parent>>();
+    const auto query = world.query<Position, Optional<const Label>, With<Hidden>, AnyOf<const Label, const Parent>>();
     query.each_chunk([&](std::span<const Entity> entities, std::span<Position> positions, std::span<const Label> labels,
-                         std::span<const Hidden> hidden, std::span<const Label> again,
-                         std::span<const Parent> parents) {
+                         std::span<const Label> again, std::span<const Parent> parents) {
         ASSERT_FALSE(entities.empty()) << "an empty chunk is no run";
         EXPECT_EQ(positions.size(), entities.size());
-        EXPECT_EQ(hidden.size(), entities.size());
         EXPECT_EQ(labels.size(), again.size());
         EXPECT_FALSE(again.empty() && parents.empty());
         const bool labelled = world.has<Label>(entities[0]);
