@@ -84,6 +84,15 @@ Group access_group(std::size_t count) {
         {"random: each_of two", [data] { return each_of(*data); }, "read two components at random", limit_over_raw},
         {"random: get two", [data] { return get(*data); }, "read two components at random", limit_over_raw},
         {"random: raw arrays without an index", [data] { return read_raw_directly(*data); }, "", {}},
+    };
+    return group;
+}
+
+Group write_group(std::size_t count) {
+    // A world of its own: what it writes, the readers above would have to fetch from memory.
+    auto data = std::make_shared<Data>(count);
+    Group group;
+    group.cases = {
         {"random: get_mutable one", [data] { return get_mutable(*data); }, "", {}},
         {"random: has", [data] { return has(*data); }, "", {}},
     };

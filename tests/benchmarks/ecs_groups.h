@@ -14,7 +14,8 @@ namespace hachure::bench {
 [[nodiscard]] Group create_group(std::size_t count);    ///< the floor is push_back into two vectors that start empty
 [[nodiscard]] Group destroy_group(std::size_t count);   ///< the floor is that of creation
 [[nodiscard]] Group component_group(std::size_t count); ///< adding and removing a third; the floor is that of creation
-[[nodiscard]] Group access_group(std::size_t count);    ///< by handle in random order; the floor is p[index[i]]
+[[nodiscard]] Group access_group(std::size_t count);    ///< by handle in random order; the floor is p[index[id]]
+[[nodiscard]] Group write_group(std::size_t count);     ///< the same, writing
 [[nodiscard]] Group change_group(std::size_t count);    ///< finding what changed
 [[nodiscard]] Group tree_group(std::size_t count);      ///< parents and children
 [[nodiscard]] Group footprint_group(std::size_t count); ///< bytes per entity
