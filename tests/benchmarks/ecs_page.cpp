@@ -51,8 +51,7 @@ worlds and for vectors.
 - *Adding and removing* one component is limited for `Storage::sparse`, which is for components that come and go. The
   rows without a limit are for tables, where all 32 bytes of the entity move: what that costs is repaid by each walk.
 - *Reading at random* takes three cache misses per entity, for the slot of the handle and for each component, as the
-  floor does; without an index it would be two. `each_of` fetches ahead and is the better way where the entities are
-  anywhere, `get` where they are near each other.
+  floor does, but through slots of 8 bytes where an index takes 4, and does not reach its limit yet.
 - *Changes* are found through the queue while they are few and by a sweep beyond 3 %; the rows with a name behind them
   force one way.
 
