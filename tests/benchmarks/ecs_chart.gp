@@ -28,7 +28,7 @@ set border 3 linecolor "#808080"
 set tics nomirror scale 0.5 textcolor "#606060"
 set grid xtics ytics linetype 2 linecolor "#e6e6e6" linewidth 1 dashtype solid
 
-set linetype 1 linecolor "#8c8c8c" linewidth 2.2 dashtype (6, 4) pointtype 7 pointsize 0
+set linetype 1 linecolor "#8c8c8c" linewidth 2.2 dashtype (6, 4) pointtype -1
 set linetype 2 linecolor "#1f5fa8" linewidth 2.2 pointtype 7 pointsize 0.5
 set linetype 3 linecolor "#e0752d" linewidth 2.2 pointtype 5 pointsize 0.5
 set linetype 4 linecolor "#3f9b57" linewidth 2.2 pointtype 9 pointsize 0.6
