@@ -54,9 +54,8 @@ public:
     /// it was not called for may be marked changed as well.
     template <class F> void each(F&& f) const;
 
-    /// As `each`, for those of `entities` that match, in their order: the way to go through a list of entities that
-    /// stand anywhere, because what the next ones need is fetched from memory while f runs. One that is listed twice is
-    /// visited twice.
+    /// As `each`, for those of `entities` that match, in their order; one that is listed twice is visited twice. What
+    /// the next ones need is fetched from memory while f runs.
     template <class F> void each_of(std::span<const Entity> entities, F&& f) const;
 
     /// Calls `f(entities, fetched...)` for packed runs of entities: a span of handles, and for each fetched term a span
@@ -99,8 +98,7 @@ public:
 
     /// The same query, only for entities that have at least one of C... changed (or added) after tick `since`. Chained
     /// filters must all hold. Costs next to nothing when no entity at all had a change of C... since, and little while
-    /// changed entities are few. A system's query fetches C..., so that the schedule knows
-    /// what it reads.
+    /// changed entities are few. The query of a system fetches C..., so that the schedule knows what it reads.
     template <class... C> Query changed_since(Tick since) const {
         return filtered<C...>(detail::ChangeFilter::Event::changed, since);
     }
@@ -144,6 +142,9 @@ private:
     Cursor cursor_at(const detail::QueryCache& cache) const;
     std::vector<Block> blocks(const detail::QueryCache& cache) const;
     const detail::QueryCache& cache() const;
+    /// `each_of` for up to `block_size` entities.
+    template <class F> void visit_rows_of(Cursor cursor, std::span<const Entity> entities, F& f) const;
+    static constexpr std::size_t block_size = 32;
     std::optional<Cursor> find_row(Entity entity) const;
     bool passes_filters(Entity entity) const;
     template <class F> static void visit_rows(Cursor& cursor, std::uint32_t rows, F& f);

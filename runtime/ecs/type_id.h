@@ -39,7 +39,7 @@ template <TypeFamily family, class T> [[gnu::const, gnu::noinline]] TypeId make_
     return id;
 }
 
-/// Set before `main` or while a library is loaded; 0 until then.
+/// Set before `main` or while a library is loaded; 0, which is no type's number, until then.
 template <TypeFamily family, class T> inline const TypeId type_id_of = make_type_id<family, T>();
 
 template <TypeFamily family, class T> inline TypeId type_id() {

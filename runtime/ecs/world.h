@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -98,6 +99,11 @@ public:
 
     /// Throws DeadEntity, MissingComponent.
     template <Component C> const C& get(Entity entity) const;
+
+    /// Several at once, for little more than one: `const auto [position, velocity] = world.get<Position, Velocity>(e)`.
+    template <Component... C>
+    requires(sizeof...(C) > 1) std::tuple<const C&...> get(Entity entity)
+    const;
 
     /// The same to write; marks it changed.
     template <Component C> C& get_mutable(Entity entity);
@@ -211,7 +217,7 @@ private:
     friend class Commands;
 
     void require_alive(Entity entity) const;
-    [[noreturn]] void throw_missing(Entity entity, std::string_view component) const;
+    [[noreturn, gnu::cold]] void throw_missing(Entity entity, std::string_view component) const;
 
     /// Unchecked: neither whether the world itself manages C, nor whether the entity lives.
     template <class C> C& assign(Entity entity, C value);

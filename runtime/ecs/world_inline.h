@@ -129,7 +129,7 @@ template <class C> bool World::erase(Entity entity) {
     store_->lock().assert_idle();
     detail::ComponentRecord& component = store_->record<C>();
     if (!component.removed.empty()) notify(component.removed, entity);
-    store_->remove(entity, row, component);
+    store_->remove(entity, at, component);
     return true;
 }
 
@@ -161,6 +161,10 @@ template <Component C> const C& World::get(Entity entity) const {
     if (const C* found = find<C>(entity)) return *found;
     throw_missing(entity, detail::type_name_of<C>);
 }
+
+template <Component... C>
+requires(sizeof...(C) > 1) std::tuple<const C&...> World::get(Entity entity)
+const { return {get<C>(entity)...}; }
 
 template <Component C> C& World::get_mutable(Entity entity) {
     if (C* found = find_mutable<C>(entity)) return *found;

@@ -3,11 +3,10 @@
 #include <hachure/systems/styles/style.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cstdlib>
 #include <filesystem>
 
 #include "../support/drawn_scene.h"
+#include "../support/given_models.h"
 #include "../support/gl_fixture.h"
 #include "../support/picture_compare.h"
 
@@ -50,15 +49,9 @@ TEST(Models, BunnyIsAlikeOnEglAndOsMesa) {
     expect_alike(bunny);
 }
 
-class GivenModels : public ::testing::TestWithParam<const char*> {};
+class GivenModels : public GivenModelTest {};
 
-TEST_P(GivenModels, AreAlikeOnEglAndOsMesa) {
-    const char* folder = std::getenv("HACHURE_MODELS");
-    if (!folder) GTEST_SKIP() << "HACHURE_MODELS names no folder of models";
-    const std::filesystem::path file = std::filesystem::path(folder) / GetParam();
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
-    expect_alike(file);
-}
+TEST_P(GivenModels, AreAlikeOnEglAndOsMesa) { expect_alike(file()); }
 
 INSTANTIATE_TEST_SUITE_P(Folder, GivenModels,
                          ::testing::Values("characters/khronos/Fox.glb", "characters/khronos/CesiumMan.glb",
@@ -67,12 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Folder, GivenModels,
                                            "mechanical/trimesh/plate_holes.STL",
                                            "mechanical/trimesh/octagonal_pocket.ply", "meshes/Suzanne/Suzanne.gltf",
                                            "meshes/spot.obj"),
-                         [](const auto& given) {
-                             std::string name = std::filesystem::path(given.param).stem().string();
-                             std::ranges::replace_if(
-                                 name, [](unsigned char c) { return !std::isalnum(c); }, '_');
-                             return name;
-                         });
+                         given_model_name);
 
 } // namespace
 } // namespace hachure::test

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "../support/drawn_scene.h"
+#include "../support/given_models.h"
 #include "../support/gl_fixture.h"
 
 // Outlines of real models are whole: wherever a surface meets the background, a line is beside it.
@@ -114,15 +114,9 @@ TEST(Outlines, TheCountTellsWholeFromMissing) {
     EXPECT_EQ(with.pixels, without.pixels);
 }
 
-class GivenOutlines : public ::testing::TestWithParam<const char*> {};
+class GivenOutlines : public GivenModelTest {};
 
-TEST_P(GivenOutlines, AreWhole) {
-    const char* folder = std::getenv("HACHURE_MODELS");
-    if (!folder) GTEST_SKIP() << "HACHURE_MODELS names no folder of models";
-    const std::filesystem::path file = std::filesystem::path(folder) / GetParam();
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
-    expect_whole(file);
-}
+TEST_P(GivenOutlines, AreWhole) { expect_whole(file()); }
 
 INSTANTIATE_TEST_SUITE_P(Folder, GivenOutlines,
                          ::testing::Values("characters/khronos/Fox.glb", "characters/khronos/CesiumMan.glb",
@@ -133,12 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Folder, GivenOutlines,
                                            "mechanical/trimesh/plate_holes.STL", "mechanical/wingnut.obj",
                                            "meshes/Suzanne/Suzanne.gltf", "meshes/nefertiti-lowres.obj",
                                            "meshes/stanford-dragon/dragon_vrip_res3.ply.gz"),
-                         [](const auto& given) {
-                             std::string name = std::filesystem::path(given.param).stem().string();
-                             std::ranges::replace_if(
-                                 name, [](unsigned char c) { return !std::isalnum(c); }, '_');
-                             return name;
-                         });
+                         given_model_name);
 
 } // namespace
 } // namespace hachure::test

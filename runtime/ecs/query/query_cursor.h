@@ -71,10 +71,9 @@ template <class... Terms> struct Cursor {
         std::apply([this](auto&... term) { (term.enter(visit()), ...); }, terms);
     }
 
-    /// Fetches what a visit of `entity` will read from memory.
-    void prefetch(Entity entity) const {
-        if (const Location at = store->ids().find(entity))
-            std::apply([&](const auto&... term) { (term.prefetch(*store, at), ...); }, terms);
+    /// Fetches what a visit of the entity at `at` will read from memory.
+    void prefetch(Location at) const {
+        if (at) std::apply([&](const auto&... term) { (term.prefetch(*store, at), ...); }, terms);
     }
 
     void mark_chunk() const {
@@ -91,26 +90,23 @@ template <class... Terms> struct Cursor {
     }
 
     void begin_terms() {
-        std::apply([this](auto&... term) { (begin_term(term), ...); }, terms);
+        std::apply([this](auto&... term) { (term.begin(*store), ...); }, terms);
     }
 
-    /// Takes `entity` where it matches all terms; it is the row then.
-    bool select(Entity entity) {
+    /// After `begin_terms`: takes the entity at `at` where there is one that matches all terms; it is the row then.
+    bool select(Location at) {
         if constexpr (by_row) {
-            return locate(entity) && match_row();
+            return locate(at) && match_row();
         } else {
-            const Location at = store->ids().find(entity);
             if (!at) return false;
+            const ChunkDirectory::Chunk& place = store->chunks()[at.chunk()];
             chunk = at.chunk();
             row = at.row();
-            return std::apply([&](auto&... term) { return (term.locate(*store, at.chunk()) && ...); }, terms);
+            return std::apply([&](auto&... term) { return (term.locate(place) && ...); }, terms);
         }
     }
 
 private:
-    template <class T> void begin_term(T& term) {
-        if constexpr (T::by_row) term.begin(*store);
-    }
     template <class T> void mark_column(const T& term) const {
         if constexpr (T::writes) term.mark_chunk(visit(), now);
     }
@@ -133,7 +129,7 @@ private:
     }
     bool next_block();
     bool next_candidate();
-    bool locate(Entity entity);
+    bool locate(Location at);
     void end() {
         entities = nullptr;
         row = stop = rows = 0;
@@ -224,14 +220,13 @@ template <class... Terms> bool Cursor<Terms...>::next_candidate() {
     const auto candidates = walk->candidates();
     while (next_chunk < candidates.size()) {
         if (next_chunk + 2 * ahead < candidates.size()) store->ids().prefetch(candidates[next_chunk + 2 * ahead]);
-        if (next_chunk + ahead < candidates.size()) prefetch(candidates[next_chunk + ahead]);
-        if (locate(candidates[next_chunk++])) return true;
+        if (next_chunk + ahead < candidates.size()) prefetch(store->ids().find(candidates[next_chunk + ahead]));
+        if (locate(store->ids().find(candidates[next_chunk++]))) return true;
     }
     return false;
 }
 
-template <class... Terms> bool Cursor<Terms...>::locate(Entity entity) {
-    const Location at = store->ids().find(entity);
+template <class... Terms> bool Cursor<Terms...>::locate(Location at) {
     if (!at) return false;
     Table& in = store->table_of(at);
     if (!cache->contains(in)) return false;

@@ -4,6 +4,9 @@
 
 #include <hachure/runtime/ecs/query.h>
 
+#include <algorithm>
+#include <array>
+
 namespace hachure {
 namespace detail {
 
@@ -19,6 +22,10 @@ template <class F, class Item> decltype(auto) call_with(F& f, Item&& item) {
         },
         std::forward<Item>(item));
 }
+
+/// Fetches what a term gave from memory.
+template <class T> void prefetch(const T& part) { __builtin_prefetch(&part); }
+template <class T> void prefetch(T* part) { __builtin_prefetch(part); }
 
 /// The span of `rows` values that begins with what a term fetched of the first row.
 template <class T> std::span<T> chunk_span(T* first, std::uint32_t rows) {
@@ -79,18 +86,44 @@ template <class... Terms> template <class F> void Query<Terms...>::each(F&& f) c
 
 template <class... Terms>
 template <class F>
+void Query<Terms...>::visit_rows_of(Cursor cursor, std::span<const Entity> entities, F& f) const {
+    // One step after the other for all entities: the loop of a step is short, so many of its fetches from memory are on
+    // the way at once, which is what most of the time goes into.
+    std::array<detail::Location, block_size> rows;
+    std::array<std::optional<Item>, block_size> items;
+    store_->ids().find(entities, rows.data());
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        if (!cursor.select(rows[i])) continue;
+        items[i].emplace(cursor.fetch(entities[i]));
+        std::apply([](Entity, auto&&... part) { (detail::prefetch(part), ...); }, *items[i]);
+    }
+    const bool filtered = !filters_.empty();
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        if (!items[i] || (filtered && !passes_filters(entities[i]))) continue;
+        if constexpr (writes) {
+            cursor.select(rows[i]);
+            cursor.mark_selected();
+        }
+        detail::call_with(f, *items[i]);
+    }
+}
+
+template <class... Terms>
+template <class F>
 void Query<Terms...>::each_of(std::span<const Entity> entities, F&& f) const {
-    // First the slots of entities far ahead, then the rows of those near, which the slots lead to.
-    constexpr std::size_t far = 64, near = 32;
     const detail::IterationLock::Guard guard(store_->lock());
     Cursor cursor = cursor_at(cache());
-    if constexpr (Cursor::by_row) cursor.begin_terms();
-    for (std::size_t i = 0; i < entities.size(); ++i) {
-        if (i + far < entities.size()) store_->ids().prefetch(entities[i + far]);
-        if (i + near < entities.size()) cursor.prefetch(entities[i + near]);
-        if (!cursor.select(entities[i]) || !passes_filters(entities[i])) continue;
-        if constexpr (writes) cursor.mark_selected();
-        detail::call_with(f, cursor.fetch(entities[i]));
+    cursor.begin_terms();
+    if constexpr (Cursor::by_row) {
+        for (const Entity entity : entities) {
+            if (!cursor.select(store_->ids().find(entity)) || !passes_filters(entity)) continue;
+            if constexpr (writes) cursor.mark_selected();
+            detail::call_with(f, cursor.fetch(entity));
+        }
+    } else {
+        for (; entities.size() > block_size; entities = entities.subspan(block_size))
+            visit_rows_of(cursor, entities.first(block_size), f);
+        visit_rows_of(cursor, entities, f);
     }
 }
 
@@ -185,8 +218,8 @@ template <class... Terms> template <class Key> auto Query<Terms...>::sorted(Key&
 
 template <class... Terms> auto Query<Terms...>::find_row(Entity entity) const -> std::optional<Cursor> {
     Cursor cursor = cursor_at(cache());
-    if constexpr (Cursor::by_row) cursor.begin_terms();
-    if (!cursor.select(entity)) return std::nullopt;
+    cursor.begin_terms();
+    if (!cursor.select(store_->ids().find(entity))) return std::nullopt;
     if (!passes_filters(entity)) return std::nullopt;
     return cursor;
 }

@@ -3,6 +3,7 @@
 #include <hachure/runtime/ecs/hierarchy.h>
 #include <hachure/runtime/ecs/storage/entity_store.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <tuple>
@@ -54,16 +55,17 @@ template <class C, bool sparse = is_sparse<C>> struct ColumnCursor;
 template <class C> struct ColumnCursor<C, false> {
     static constexpr bool by_row = false;
     std::byte* base = nullptr;
+    TypeId id = 0; ///< for `locate`
 
-    void begin(EntityStore&) {}
+    void begin(EntityStore& store) { id = store.known(component_id<C>()); }
     void enter(const Visit& visit) {
         const auto& chunk = visit.store.chunks()[visit.chunk];
         const std::uint32_t offset = visit.table.offset(component_id<C>());
         base = offset == 0 ? nullptr : chunk.data + offset;
     }
-    void locate(const EntityStore& store, std::uint32_t chunk) {
-        const std::uint32_t offset = store.offset(chunk, component_id<C>());
-        base = offset == 0 ? nullptr : store.chunks()[chunk].data + offset;
+    void locate(const ChunkDirectory::Chunk& chunk) {
+        const std::uint32_t offset = chunk.offsets[id];
+        base = offset == 0 ? nullptr : chunk.data + offset;
     }
     void prefetch(const EntityStore& store, Location at) const {
         const std::byte* data = store.chunks()[at.chunk()].data + store.offset(at.chunk(), component_id<C>());
@@ -123,8 +125,8 @@ template <class C> void require_sparse(EntityStore& store, Driver& driver) {
 
 /// What a term does on the walk. `matches` says whether rows of a table can match at all; `choose` what sparse stores
 /// matches are in; `begin`, `enter` and `match` go to a world, a chunk, and (if `by_row`) a row, where `match` says
-/// whether the term takes it; `fetch` gives its part of the result. Where rows need not be looked at, `locate` goes to
-/// a chunk of any table, and says whether its rows match. T is a component, const or not.
+/// whether the term takes it; `fetch` gives its part of the result. Where rows need not be looked at, `locate` goes,
+/// after `begin`, to a chunk of any table, and says whether its rows match. T is a component, const or not.
 template <class T> class Term {
     static_assert(may_be_term<T>, "Parent and Children change through set_parent and clear_parent");
     using C = std::remove_const_t<T>;
@@ -132,7 +134,6 @@ template <class T> class Term {
 public:
     static constexpr bool writes = !std::is_const_v<T>;
     static constexpr bool by_row = is_sparse<C>;
-    static constexpr bool writes_sparse = writes && is_sparse<C>;
 
     static bool matches(const Table& table) { return table_has<C>(table); }
     static void choose(EntityStore& store, Driver& driver) { require_sparse<C>(store, driver); }
@@ -146,8 +147,8 @@ public:
     std::tuple<T&> fetch(std::uint32_t row) const { return {*cursor_.get(row)}; }
     void mark_row(const Visit& visit, Tick now) const { cursor_.mark_row(visit, now); }
     void mark_chunk(const Visit& visit, Tick now) const { cursor_.mark_chunk(visit, now); }
-    bool locate(const EntityStore& store, std::uint32_t chunk) {
-        cursor_.locate(store, chunk);
+    bool locate(const ChunkDirectory::Chunk& chunk) {
+        cursor_.locate(chunk);
         return cursor_.present();
     }
     void prefetch(const EntityStore& store, Location at) const { cursor_.prefetch(store, at); }
@@ -163,7 +164,6 @@ template <std::size_t least, class... T> class PointerTerm {
 public:
     static constexpr bool writes = (!std::is_const_v<T> || ...);
     static constexpr bool by_row = (is_sparse<T> || ...);
-    static constexpr bool writes_sparse = ((!std::is_const_v<T> && is_sparse<T>) || ...);
 
     static bool matches(const Table& table) { return least == 0 || (table_has<T>(table) || ...); }
     static void choose(EntityStore&, Driver&) {}
@@ -177,8 +177,8 @@ public:
     std::tuple<T*...> fetch(std::uint32_t row) const { return {cursor<T>().get_or_null(row)...}; }
     void mark_row(const Visit& visit, Tick now) const { (mark_row_if<T>(visit, now), ...); }
     void mark_chunk(const Visit& visit, Tick now) const { (mark_chunk_if<T>(visit, now), ...); }
-    bool locate(const EntityStore& store, std::uint32_t chunk) {
-        (cursor<T>().locate(store, chunk), ...);
+    bool locate(const ChunkDirectory::Chunk& chunk) {
+        (cursor<T>().locate(chunk), ...);
         return least == 0 || (cursor<T>().present() || ...);
     }
     void prefetch(const EntityStore& store, Location at) const { (cursor<T>().prefetch(store, at), ...); }
@@ -204,7 +204,6 @@ template <class... T> class Term<AnyOf<T...>> : public PointerTerm<1, T...> {};
 class SilentTerm {
 public:
     static constexpr bool writes = false;
-    static constexpr bool writes_sparse = false;
     void enter(const Visit&) {}
     std::tuple<> fetch(std::uint32_t) const { return {}; }
     void mark_row(const Visit&, Tick) const {}
@@ -243,13 +242,17 @@ public:
     static constexpr bool by_row = (is_sparse<T> || ...);
     static bool matches(const Table& table) { return (table_has<T>(table) && ...); }
     static void choose(EntityStore& store, Driver& driver) { (require_sparse<T>(store, driver), ...); }
-    void begin(EntityStore& store) { sparse_.begin(store); }
+    void begin(EntityStore& store) {
+        ids_ = {store.known(component_id<std::remove_const_t<T>>())...};
+        sparse_.begin(store);
+    }
     bool match(const Visit& visit) { return sparse_.in_all(visit.entity()); }
-    bool locate(const EntityStore& store, std::uint32_t chunk) const {
-        return ((store.offset(chunk, component_id<std::remove_const_t<T>>()) != 0) && ...);
+    bool locate(const ChunkDirectory::Chunk& chunk) const {
+        return std::ranges::all_of(ids_, [&](TypeId id) { return chunk.offsets[id] != 0; });
     }
 
 private:
+    std::array<TypeId, sizeof...(T)> ids_{}; ///< for `locate`
     SparseLookups<T...> sparse_;
 };
 
@@ -258,13 +261,17 @@ public:
     static constexpr bool by_row = (is_sparse<T> || ...);
     static bool matches(const Table& table) { return (table_lacks<T>(table) && ...); }
     static void choose(EntityStore&, Driver&) {}
-    void begin(EntityStore& store) { sparse_.begin(store); }
+    void begin(EntityStore& store) {
+        ids_ = {store.known(component_id<std::remove_const_t<T>>())...};
+        sparse_.begin(store);
+    }
     bool match(const Visit& visit) { return !sparse_.in_any(visit.entity()); }
-    bool locate(const EntityStore& store, std::uint32_t chunk) const {
-        return ((store.offset(chunk, component_id<std::remove_const_t<T>>()) == 0) && ...);
+    bool locate(const ChunkDirectory::Chunk& chunk) const {
+        return std::ranges::all_of(ids_, [&](TypeId id) { return chunk.offsets[id] == 0; });
     }
 
 private:
+    std::array<TypeId, sizeof...(T)> ids_{}; ///< for `locate`
     SparseLookups<T...> sparse_;
 };
 

@@ -3,7 +3,6 @@
 #include <hachure/runtime/ecs/access.h>
 #include <hachure/runtime/ecs/commands.h>
 #include <hachure/runtime/ecs/events.h>
-#include <hachure/runtime/ecs/query/query_at.h>
 #include <hachure/runtime/ecs/schedule/term_access.h>
 #include <hachure/runtime/ecs/system_context.h>
 #include <hachure/runtime/ecs/world.h>
@@ -55,9 +54,7 @@ concept SystemParameter = requires {
 template <class... Terms> struct SystemParam<Query<Terms...>> {
     static constexpr bool reads_only = !Query<Terms...>::writes;
     static void add_to(SystemNeeds& needs) { (TermAccess<Terms>::add_to(needs.access), ...); }
-    static Query<Terms...> get(const SystemContext& context) {
-        return query_at<Query<Terms...>>(context.world, context.now);
-    }
+    static Query<Terms...> get(const SystemContext& context) { return context.world.query_at<Terms...>(context.now); }
 };
 
 template <ResourceParam R> struct SystemParam<const R&> {

@@ -47,7 +47,6 @@ void ChunkPool::grow() {
     fresh_ = allocate_large(bytes);
     fresh_end_ = fresh_ + bytes;
     slabs_.push_back(fresh_);
-    reserved_ += bytes;
 }
 
 } // namespace hachure::detail

@@ -23,9 +23,6 @@ public:
     /// `bytes` as in `allocate`.
     void release(std::byte* memory, std::size_t bytes);
 
-    /// All memory that was taken from the system for chunks of the usual size, used or not.
-    std::size_t reserved_bytes() const { return reserved_; }
-
 private:
     void grow();
 
@@ -33,7 +30,6 @@ private:
     std::vector<std::byte*> slabs_;
     std::byte* fresh_ = nullptr; ///< the part of the newest slab that was never handed out
     std::byte* fresh_end_ = nullptr;
-    std::size_t reserved_ = 0;
 };
 
 } // namespace hachure::detail

@@ -99,12 +99,4 @@ inline void copy_bytes(std::byte* to, const std::byte* from, std::uint32_t size)
     }
 }
 
-/// Moves the value at `from` to the raw memory at `to`, and leaves raw memory behind.
-inline void relocate(const ComponentInfo& info, std::byte* to, std::byte* from) {
-    if (info.trivial)
-        copy_bytes(to, from, info.stride);
-    else
-        info.relocate(to, from);
-}
-
 } // namespace hachure::detail

@@ -26,6 +26,8 @@ struct ComponentRecord {
     std::deque<Observer> added;          ///< no vector: an observer that adds another one stays where it is
     std::deque<Observer> removed;
 
+    bool observed() const { return !added.empty() || !removed.empty(); }
+
     explicit ComponentRecord(const ComponentInfo& of);
     ~ComponentRecord();
     ComponentRecord(const ComponentRecord&) = delete;

@@ -18,7 +18,7 @@ const Transition& remember(const Table& from, std::vector<std::unique_ptr<Transi
         const ComponentInfo& info = *column.component->info;
         if (!to.has(info.id)) continue;
         const auto j = static_cast<std::uint16_t>(to.column(info.id));
-        transition->shared.push_back({column.offset, to.offset(info.id), column.stride, i, j, info.trivial, &info});
+        transition->shared.push_back({column, to.offset(info.id), i, j});
     }
     const TypeId id = component.info->id;
     if (id >= transitions.size()) transitions.resize(id + 1);
@@ -28,17 +28,16 @@ const Transition& remember(const Table& from, std::vector<std::unique_ptr<Transi
 
 } // namespace
 
-ComponentRecord::ComponentRecord(const ComponentInfo& of) : info(&of) {}
-ComponentRecord::~ComponentRecord() = default;
-
 EntityStore::~EntityStore() = default;
 
-EntityStore::EntityStore() : ids_(std::make_shared<EntityTable>()) { find_table({}); }
+EntityStore::EntityStore() : ids_(std::make_shared<EntityTable>()) {
+    records_.resize(width_);
+    find_table({});
+}
 
 ComponentRecord& EntityStore::make_record(const ComponentInfo& info) {
-    constexpr std::size_t step = 32;
     if (info.id >= width_) {
-        width_ = (info.id / step + 1) * step;
+        width_ = (info.id / width_step + 1) * width_step;
         records_.resize(width_);
         for (const auto& table : tables_) table->widen(width_);
         for (ComponentRecord* component : sparse_) component->sparse->table.widen(width_);
@@ -135,9 +134,7 @@ void EntityStore::end_walk(FilteredWalk* walk) {
 }
 
 void EntityStore::update_observed() {
-    const auto observed = [](const Table::Column& column) {
-        return !column.component->added.empty() || !column.component->removed.empty();
-    };
+    const auto observed = [](const Table::Column& column) { return column.component->observed(); };
     for (const auto& table : tables_) table->observed = std::ranges::any_of(table->columns(), observed);
 }
 
@@ -176,8 +173,7 @@ Entity EntityStore::copy(Entity from, Table& to) {
     for (std::size_t i = 0; i < to.columns().size(); ++i) {
         ComponentRecord& component = *to.columns()[i].component;
         component.info->copy(to.value(at, i), table.value(source, table.column(component.info->id)));
-        to.set_ticks(at, i, tick_, tick_);
-        component.log.note_added(entity, tick_);
+        note_added(to, at, i, component, entity);
     }
     for (ComponentRecord* component : sparse_) {
         const Location sparse_source = component->sparse->find(from);
@@ -185,8 +181,7 @@ Entity EntityStore::copy(Entity from, Table& to) {
         Table& values = component->sparse->table;
         const Location place = component->sparse->append(entity);
         component->info->copy(values.value(place, 0), values.value(sparse_source, 0));
-        values.set_ticks(place, 0, tick_, tick_);
-        component->log.note_added(entity, tick_);
+        note_added(values, place, 0, *component, entity);
     }
     return entity;
 }
@@ -203,16 +198,13 @@ void EntityStore::remap(Entity entity, const EntityMap& copies) {
 }
 
 std::vector<ComponentRecord*> EntityStore::observed_components(Entity entity) const {
-    const auto observed = [](const ComponentRecord& component) {
-        return !component.added.empty() || !component.removed.empty();
-    };
     std::vector<ComponentRecord*> result;
     const Table& table = table_of(ids_->find(entity));
     if (table.observed)
         for (const auto& column : table.columns())
-            if (observed(*column.component)) result.push_back(column.component);
+            if (column.component->observed()) result.push_back(column.component);
     for (ComponentRecord* component : sparse_)
-        if (observed(*component) && component->sparse->find(entity)) result.push_back(component);
+        if (component->observed() && component->sparse->find(entity)) result.push_back(component);
     return result;
 }
 
@@ -227,12 +219,8 @@ Location EntityStore::move(Entity entity, Location from, const Transition& trans
     ColumnTicks* const target_ticks = chunks_.ticks(at.chunk());
     const Transition::Shared* const end = transition.shared.data() + transition.shared.size();
     for (const Transition::Shared* column = transition.shared.data(); column != end; ++column) {
-        std::byte* const old_value = source + column->from_offset + std::size_t{from_row} * column->stride;
-        std::byte* const new_value = target + column->to_offset + std::size_t{row} * column->stride;
-        if (column->trivial)
-            copy_bytes(new_value, old_value, column->stride);
-        else
-            column->info->relocate(new_value, old_value);
+        std::byte* const new_value = target + column->to_offset + std::size_t{row} * column->from.stride;
+        Table::relocate(column->from, new_value, Table::value(source, column->from, from_row));
         target_ticks[column->to_column].place(row, row, capacity, source_ticks[column->from_column], from_row);
     }
     table_of(from).drop_row(from);
@@ -243,13 +231,13 @@ void EntityStore::forget_change(Entity entity, ComponentRecord& component, Tick 
     if (changed == tick_) component.log.forget(entity, tick_);
 }
 
-void EntityStore::remove(Entity entity, Location row, ComponentRecord& component) {
-    if (component.sparse) return erase_sparse(entity, component.sparse->find(entity), component);
-    Table& table = table_of(row);
+void EntityStore::remove(Entity entity, Location at, ComponentRecord& component) {
+    if (component.sparse) return erase_sparse(entity, at, component);
+    Table& table = table_of(at);
     const std::uint32_t column = table.column(component.info->id);
-    forget_change(entity, component, table.ticks(row.chunk())[column].changed(row.row()));
-    if (!component.info->trivial) component.info->destroy(table.value(row, column));
-    move(entity, row, removing(table, component));
+    forget_change(entity, component, table.ticks(at.chunk())[column].changed(at.row()));
+    if (!component.info->trivial) component.info->destroy(table.value(at, column));
+    move(entity, at, removing(table, component));
     component.log.note_removed(1, tick_);
     removals_.note_removed(entity, component.info->id, tick_);
 }

@@ -50,8 +50,9 @@ public:
         return found ? *found : make_record(component_info<C>());
     }
 
-    /// By component; some are null.
-    std::span<const std::unique_ptr<ComponentRecord>> records() const { return records_; }
+    /// `id` where every chunk has an offset for the component, which may be 0; else 0, for which all have that. It
+    /// holds until a component gets its record.
+    TypeId known(TypeId id) const { return id < width_ ? id : 0; }
 
     /// Where the column of a component begins in a chunk; 0 where the chunk has none.
     std::uint32_t offset(std::uint32_t chunk, TypeId id) const { return id < width_ ? chunks_[chunk].offsets[id] : 0; }
@@ -64,16 +65,17 @@ public:
 
     /// The same for a live entity with its row in the tables.
     template <class C> C* find_at(Entity entity, Location row, Location& at) const {
-        const TypeId id = component_id<C>();
         at = row;
         if constexpr (is_sparse<C>) {
-            const ComponentRecord* component = find_record(id);
+            const ComponentRecord* component = find_record(component_id<C>());
             at = component ? component->sparse->find(entity) : Location{};
             if (!at) return nullptr;
         }
-        const std::uint32_t column = offset(at.chunk(), id);
-        if (column == 0) return nullptr;
-        return reinterpret_cast<C*>(chunks_[at.chunk()].data + column + std::size_t{at.row()} * stride_of<C>);
+        // How many look-ups are on their way from memory at once depends on how few instructions each takes: a number
+        // that is not there yet is asked for only where nothing was found.
+        const TypeId id = type_id_of<TypeFamily::component, C>;
+        if (C* value = value_at<C>(at, id)) return value;
+        return id == 0 ? find_unnumbered<C>(at) : nullptr;
     }
 
     /// The ticks of a component of type `id` whose value is in row `at`.
@@ -164,8 +166,8 @@ public:
         return move(entity, from, adding(table_of(from), component));
     }
 
-    /// Takes the component off an entity that has it; its row in the tables is `row`.
-    void remove(Entity entity, Location row, ComponentRecord& component);
+    /// Takes the component off an entity that has it; `at` is where its value is.
+    void remove(Entity entity, Location at, ComponentRecord& component);
 
     /// Ends a live entity with its components.
     void destroy(Entity entity);
@@ -188,13 +190,27 @@ public:
     void update_observed();
 
 private:
+    /// While the program starts. [[gnu::pure]]: that it may number a type is nothing a caller can see.
+    template <class C> [[gnu::pure, gnu::cold, gnu::noinline]] C* find_unnumbered(Location at) const {
+        return value_at<C>(at, component_id<C>());
+    }
+    template <class C> C* value_at(Location at, TypeId id) const {
+        const std::uint32_t column = offset(at.chunk(), id);
+        if (column == 0) return nullptr;
+        return reinterpret_cast<C*>(chunks_[at.chunk()].data + column + std::size_t{at.row()} * stride_of<C>);
+    }
     template <class C> C& construct(Table& table, Location at, std::uint32_t column, Entity entity, C&& value) {
         const Table::Column& place = table.columns()[column];
         std::byte* memory = Table::value(chunks_[at.chunk()].data, place, at.row());
         C* result = new (memory) C(std::move(value));
-        table.set_ticks(at, column, tick_, tick_);
-        place.component->log.note_added(entity, tick_);
+        note_added(table, at, column, *place.component, entity);
         return *result;
+    }
+
+    /// A column's component has been constructed in the row of `entity`, which was appended last.
+    void note_added(Table& table, Location at, std::size_t column, ComponentRecord& component, Entity entity) {
+        table.set_ticks(at, column, tick_, tick_);
+        component.log.note_added(entity, tick_);
     }
     Location move(Entity entity, Location from, const Transition& transition);
     ComponentRecord& make_record(const ComponentInfo& info);
@@ -214,7 +230,8 @@ private:
     std::vector<std::unique_ptr<Table>> tables_; ///< the first is that of no components
     std::vector<Table*> bundles_;                ///< by type of bundle; some are null
     std::vector<ComponentRecord*> sparse_;       ///< those with sparse storage
-    std::size_t width_ = 0;                      ///< every table has offsets for so many components
+    static constexpr std::size_t width_step = 32;
+    std::size_t width_ = width_step; ///< every table has offsets for so many components
     RemovalLog removals_;
     QueryCaches query_caches_;
     std::vector<std::unique_ptr<FilteredWalk>> walks_; ///< those not in use

@@ -66,7 +66,8 @@ std::vector<Entity> EntityTable::reset(const EntityIds& ids) {
     HACHURE_ASSERT(alive_ == 0, "handles are restored into an empty world");
     if (ids.generations.size() > capacity_) grow(ids.generations.size());
     count_ = promised_ = 0;
-    for (const std::uint32_t generation : ids.generations) slots_[count_++] = {generation, reserved_state};
+    for (const std::uint32_t generation : ids.generations)
+        slots_[count_++] = {.state = reserved_state, .generation = generation};
     next_free_ = none;
     for (const std::uint32_t index : ids.free) {
         slots_[index].state = dead_bit | next_free_;

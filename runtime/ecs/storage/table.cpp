@@ -93,7 +93,7 @@ void Table::move_values(Location to, Location from) {
     std::byte* target = (*directory_)[to.chunk()].data;
     std::byte* source = (*directory_)[from.chunk()].data;
     for (const Column& column : columns_)
-        relocate(*column.component->info, value(target, column, to.row()), value(source, column, from.row()));
+        relocate(column, value(target, column, to.row()), value(source, column, from.row()));
 }
 
 void Table::fill_hole(Location at, std::uint32_t last) {
@@ -103,12 +103,7 @@ void Table::fill_hole(Location at, std::uint32_t last) {
     entities[at.row()] = entities[last];
     ColumnTicks* each_ticks = ticks(at.chunk());
     for (const Column& column : columns_) {
-        std::byte* to = value(data, column, at.row());
-        std::byte* from = value(data, column, last);
-        if (column.trivial)
-            copy_bytes(to, from, column.stride);
-        else
-            column.component->info->relocate(to, from);
+        relocate(column, value(data, column, at.row()), value(data, column, last));
         each_ticks++->move(at.row(), last);
     }
     rows_->set_row(entities[last], at);

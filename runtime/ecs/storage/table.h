@@ -74,6 +74,14 @@ public:
         return data + column.offset + std::size_t{row} * column.stride;
     }
 
+    /// Moves the value at `from`, of a column, to the raw memory at `to`, and leaves raw memory behind.
+    static void relocate(const Column& column, std::byte* to, std::byte* from) {
+        if (column.trivial)
+            copy_bytes(to, from, column.stride);
+        else
+            column.component->info->relocate(to, from);
+    }
+
     ColumnTicks* ticks(std::uint32_t chunk) const { return directory_->ticks(chunk); }
 
     /// A new row for `entity`; its values and ticks are the caller's to set (`set_ticks`).
@@ -155,13 +163,10 @@ private:
 /// The way from one table to another that has one component more, or less: the columns that both have.
 struct Transition {
     struct Shared {
-        std::uint32_t from_offset;
+        Table::Column from;
         std::uint32_t to_offset;
-        std::uint32_t stride;
         std::uint16_t from_column;
         std::uint16_t to_column;
-        bool trivial;
-        const ComponentInfo* info;
     };
 
     Table* to;

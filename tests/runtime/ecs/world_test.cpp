@@ -1,6 +1,7 @@
 #include <hachure/runtime/ecs/commands.h>
 #include <hachure/runtime/ecs/world.h>
 #include <hachure/tests/runtime/ecs/components.h>
+#include <hachure/tests/runtime/ecs/sparse_components.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -45,6 +46,42 @@ TEST(WorldTest, AReusedSlotStartsEmpty) {
     EXPECT_EQ(world.find_mutable<Position>(old), nullptr);
     EXPECT_FALSE(world.remove<Position>(old));
     EXPECT_EQ(world.get<Position>(young), (Position{3, 4}));
+}
+
+TEST(WorldTest, GetsSeveralComponentsAtOnce) {
+    World world;
+    const Entity entity = world.create_with(Position{1, 2}, Label{"one"}, Heat{3});
+    const auto [position, label, heat] = world.get<Position, Label, Heat>(entity);
+    EXPECT_EQ(&position, &world.get<Position>(entity));
+    EXPECT_EQ(&label, &world.get<Label>(entity));
+    EXPECT_EQ(&heat, &world.get<Heat>(entity));
+    EXPECT_THROW((world.get<Position, Speed>(entity)), MissingComponent);
+    world.destroy(entity);
+    EXPECT_THROW((world.get<Position, Label>(entity)), DeadEntity);
+}
+
+struct MadeBeforeMain {
+    int value = 0;
+};
+
+struct BeforeMain {
+    BeforeMain() {
+        World world;
+        const Entity entity = world.create_with(MadeBeforeMain{42});
+        unnumbered = detail::type_id_of<detail::TypeFamily::component, MadeBeforeMain> == 0;
+        found = world.has<MadeBeforeMain>(entity) ? world.get<MadeBeforeMain>(entity).value : 0;
+    }
+
+    bool unnumbered;
+    int found;
+};
+
+// Before the variables that hold the numbers of types are set.
+[[gnu::init_priority(200)]] const BeforeMain before_main;
+
+TEST(WorldTest, CanBeReadBeforeTypesHaveNumbers) {
+    EXPECT_TRUE(before_main.unnumbered);
+    EXPECT_EQ(before_main.found, 42);
 }
 
 TEST(WorldTest, AddingTwiceReplacesTheValue) {
