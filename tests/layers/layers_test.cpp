@@ -30,9 +30,13 @@ const std::map<std::string, std::set<std::string>> allowed_layers{
 
 /// The modules of runtime/ that each may include; files at the root of runtime/ are for all.
 const std::map<std::string, std::set<std::string>> allowed_modules{
-    {"ecs", {}},      {"gpu", {}},
-    {"geometry", {}}, {"assets", {"geometry"}},
-    {"app", {"ecs"}}, {"scene", {"ecs", "gpu", "geometry", "assets", "app"}},
+    {"ecs", {}},
+    {"gpu", {}},
+    {"geometry", {}},
+    {"assets", {"geometry"}},
+    {"animation", {"assets"}},
+    {"app", {"ecs"}},
+    {"scene", {"ecs", "gpu", "geometry", "assets", "app"}},
 };
 
 TEST(Layers, IncludesGoOnlyToTheLeft) {
