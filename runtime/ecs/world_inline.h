@@ -124,12 +124,15 @@ template <class C> C& World::assign(Entity entity, C value) {
 
 template <class C> bool World::erase(Entity entity) {
     const detail::Location row = store_->ids().find(entity);
-    detail::Location at;
-    if (!row || !store_->find_at<C>(entity, row, at)) return false;
+    const detail::Location at = row ? store_->locate<C>(entity, row) : row;
+    if (!at) return false;
     store_->lock().assert_idle();
     detail::ComponentRecord& component = store_->record<C>();
     if (!component.removed.empty()) notify(component.removed, entity);
-    store_->remove(entity, at, component);
+    if constexpr (detail::is_sparse<C>)
+        store_->remove_sparse(entity, at, component);
+    else
+        store_->remove(entity, at, component);
     return true;
 }
 

@@ -232,7 +232,6 @@ void EntityStore::forget_change(Entity entity, ComponentRecord& component, Tick 
 }
 
 void EntityStore::remove(Entity entity, Location at, ComponentRecord& component) {
-    if (component.sparse) return erase_sparse(entity, at, component);
     Table& table = table_of(at);
     const std::uint32_t column = table.column(component.info->id);
     forget_change(entity, component, table.ticks(at.chunk())[column].changed(at.row()));
@@ -242,7 +241,7 @@ void EntityStore::remove(Entity entity, Location at, ComponentRecord& component)
     removals_.note_removed(entity, component.info->id, tick_);
 }
 
-void EntityStore::erase_sparse(Entity entity, Location at, ComponentRecord& component) {
+void EntityStore::remove_sparse(Entity entity, Location at, ComponentRecord& component) {
     forget_change(entity, component, component.sparse->table.ticks(at.chunk())[0].changed(at.row()));
     component.sparse->erase(entity, at);
     component.log.note_removed(1, tick_);
@@ -251,7 +250,7 @@ void EntityStore::erase_sparse(Entity entity, Location at, ComponentRecord& comp
 
 void EntityStore::erase_sparse(Entity entity) {
     for (ComponentRecord* component : sparse_)
-        if (const Location at = component->sparse->find(entity)) erase_sparse(entity, at, *component);
+        if (const Location at = component->sparse->find(entity)) remove_sparse(entity, at, *component);
 }
 
 void EntityStore::destroy(Entity entity) {

@@ -65,17 +65,27 @@ public:
 
     /// The same for a live entity with its row in the tables.
     template <class C> C* find_at(Entity entity, Location row, Location& at) const {
-        at = row;
         if constexpr (is_sparse<C>) {
-            const ComponentRecord* component = find_record(component_id<C>());
-            at = component ? component->sparse->find(entity) : Location{};
+            at = locate<C>(entity, row);
             if (!at) return nullptr;
+            const Table& table = find_record(component_id<C>())->sparse->table;
+            return reinterpret_cast<C*>(Table::value(chunks_[at.chunk()].data, table.columns().front(), at.row()));
         }
+        at = row;
         // How many look-ups are on their way from memory at once depends on how few instructions each takes: a number
         // that is not there yet is asked for only where nothing was found.
         const TypeId id = type_id_of<TypeFamily::component, C>;
         if (C* value = value_at<C>(at, id)) return value;
         return id == 0 ? find_unnumbered<C>(at) : nullptr;
+    }
+
+    /// Where the value of C of a live entity is, whose row in the tables is `row`; nowhere when it has none.
+    template <class C> Location locate(Entity entity, Location row) const {
+        if constexpr (is_sparse<C>) {
+            const ComponentRecord* component = find_record(component_id<C>());
+            return component ? component->sparse->find(entity) : Location{};
+        }
+        return offset(row.chunk(), component_id<C>()) != 0 ? row : Location{};
     }
 
     /// The ticks of a component of type `id` whose value is in row `at`.
@@ -166,8 +176,9 @@ public:
         return move(entity, from, adding(table_of(from), component));
     }
 
-    /// Takes the component off an entity that has it; `at` is where its value is.
+    /// Takes the component off an entity that has it; `at` is where its value is. The second is for sparse components.
     void remove(Entity entity, Location at, ComponentRecord& component);
+    void remove_sparse(Entity entity, Location at, ComponentRecord& component);
 
     /// Ends a live entity with its components.
     void destroy(Entity entity);
@@ -220,7 +231,6 @@ private:
     Table& remember_bundle(TypeId id, std::vector<ComponentRecord*> components);
     void end_row(Entity entity, Location at, Table& table);
     void erase_sparse(Entity entity);
-    void erase_sparse(Entity entity, Location at, ComponentRecord& component);
     Location find_component(TypeId id, Entity entity) const;
     void forget_change(Entity entity, ComponentRecord& component, Tick changed);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hachure/runtime/ecs/entity.h>
+#include <hachure/runtime/ecs/storage/growing_array.h>
 #include <hachure/runtime/ecs/tick.h>
 #include <hachure/runtime/ecs/type_id.h>
 
@@ -24,7 +25,7 @@ public:
     void note_destroyed(std::span<const Entity> entities, const Table& table, Tick now) {
         if (entities.empty()) return;
         note(entities.front(), {now, &table, 0, entities_.size()});
-        entities_.insert(entities_.end(), entities.begin() + 1, entities.end());
+        entities_.append(entities.subspan(1));
     }
 
     /// `entity` lost one component.
@@ -57,7 +58,7 @@ private:
     }
 
     std::vector<Run> runs_;
-    std::vector<Entity> entities_;
+    GrowingArray<Entity> entities_;
 };
 
 } // namespace hachure::detail

@@ -136,8 +136,7 @@ void Table::merge(std::uint32_t chunk) {
     close_chunk(chunk);
 }
 
-void Table::destroy_values(Location at) {
-    if (trivial_) return;
+void Table::call_destructors(Location at) {
     for (std::size_t i = 0; i < columns_.size(); ++i)
         if (!columns_[i].trivial) columns_[i].component->info->destroy(value(at, i));
 }

@@ -119,7 +119,9 @@ public:
     }
 
     /// Destroys the values of a row.
-    void destroy_values(Location at);
+    void destroy_values(Location at) {
+        if (!trivial_) call_destructors(at);
+    }
 
     /// Drops all rows and their values.
     void clear();
@@ -139,6 +141,7 @@ private:
     void tidy(std::uint32_t chunk, std::uint32_t rows);
     void merge(std::uint32_t chunk);
     void move_values(Location to, Location from);
+    void call_destructors(Location at);
 
     static constexpr std::uint32_t no_chunk = 0xffff'ffffu;
 
