@@ -1,8 +1,10 @@
 #include <hachure/components/name.h>
 #include <hachure/runtime/app/app.h>
+#include <hachure/systems/animation/animation.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/systems/compose/compose.h>
+#include <hachure/systems/deform/deform.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
@@ -14,6 +16,8 @@ namespace hachure {
 void register_capabilities(App& app) {
     app.add_component<Name>();
     register_transform(app);
+    register_animation(app);
+    register_deform(app);
     register_camera(app);
     register_light(app);
     register_surface(app);

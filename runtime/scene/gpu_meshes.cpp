@@ -2,19 +2,26 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
+#include <unordered_set>
 
 namespace hachure {
 namespace {
+
+template <class T> void bind_attribute(gpu::VertexArray& vertex_array, GLuint location, const gpu::Buffer& buffer) {
+    if (!buffer) return;
+    vertex_array.set_attribute({.location = location, .components = T::length(), .binding = location});
+    vertex_array.set_vertex_buffer(location, buffer, sizeof(T));
+}
 
 template <class T>
 gpu::Buffer upload_attribute(gpu::VertexArray& vertex_array, GLuint location, const std::vector<T>& values,
                              const std::string& label) {
     if (values.empty()) return {};
     gpu::Buffer buffer(std::span<const T>(values), label);
-    vertex_array.set_attribute({.location = location, .components = T::length(), .binding = location});
-    vertex_array.set_vertex_buffer(location, buffer, sizeof(T));
+    bind_attribute<T>(vertex_array, location, buffer);
     return buffer;
 }
 
@@ -93,6 +100,40 @@ const GpuMesh& GpuMeshes::mesh(const MeshStore& store, std::uint32_t index) {
     const auto found = meshes_.find(index);
     if (found != meshes_.end()) return found->second;
     return meshes_.emplace(index, upload_mesh(store.mesh(index))).first->second;
+}
+
+const gpu::VertexArray& GpuMeshes::vertex_array(const MeshStore& store, const DrawItem& item) {
+    const GpuMesh& base = mesh(store, item.mesh);
+    if (item.shape.version == 0) return base.vertex_array;
+    Shape& shape = shapes_[item.entity];
+    if (shape.version == item.shape.version) return shape.vertex_array;
+    const std::string& name = store.mesh(item.mesh).name;
+    if (shape.version == 0 || shape.mesh != item.mesh) {
+        shape.positions = gpu::Buffer(item.shape.positions.size_bytes(), gpu::BufferUsage::dynamic, name + " shape");
+        shape.normals =
+            gpu::Buffer(item.shape.normals.size_bytes(), gpu::BufferUsage::dynamic, name + " shape normals");
+        shape.vertex_array = gpu::VertexArray(name + " shape");
+        bind_attribute<glm::vec3>(shape.vertex_array, 0, shape.positions);
+        bind_attribute<glm::vec3>(shape.vertex_array, 1, shape.normals);
+        bind_attribute<glm::vec2>(shape.vertex_array, 2, base.texcoords);
+        bind_attribute<glm::vec4>(shape.vertex_array, 3, base.colors);
+        if (base.indices) shape.vertex_array.set_index_buffer(base.indices);
+        shape.mesh = item.mesh;
+    }
+    shape.positions.update(item.shape.positions);
+    shape.normals.update(item.shape.normals);
+    shape.version = item.shape.version;
+    return shape.vertex_array;
+}
+
+void GpuMeshes::forget_shapes_but(std::span<const DrawItem> items) {
+    const auto drawn = static_cast<std::size_t>(
+        std::ranges::count_if(items, [](const DrawItem& item) { return item.shape.version != 0; }));
+    if (shapes_.size() <= drawn) return;
+    std::unordered_set<Entity> kept;
+    for (const DrawItem& item : items)
+        if (item.shape.version != 0) kept.insert(item.entity);
+    std::erase_if(shapes_, [&](const auto& entry) { return !kept.contains(entry.first); });
 }
 
 const gpu::Texture& GpuMeshes::texture(const MeshStore& store, std::int32_t index) {

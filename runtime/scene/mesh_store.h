@@ -3,7 +3,11 @@
 #include <hachure/runtime/assets/image.h>
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/geometry/bounds.h>
+#include <hachure/runtime/geometry/morph.h>
+#include <hachure/runtime/geometry/skin_weights.h>
+#include <hachure/runtime/geometry/weld.h>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -43,7 +47,20 @@ struct SurfaceMesh {
     std::vector<glm::vec4> colors;
     std::vector<std::uint32_t> indices; ///< 3 per triangle, over all submeshes
     std::vector<Submesh> submeshes;
+    geometry::SkinWeights skin;    ///< of no vertices where it has none
+    geometry::MorphTargets morphs; ///< none where it has none
     geometry::Bounds bounds;
+    /// Per vertex of a mesh that deforms: the first one at its place with its normal.
+    std::vector<std::uint32_t> normal_weld;
+
+    [[nodiscard]] bool deforms() const { return skin.vertex_count() > 0 || morphs.size() > 0; }
+};
+
+/// A skin as surfaces are bound to it.
+struct SkinBinding {
+    std::string name;
+    std::vector<glm::mat4> inverse_bind; ///< by joint
+    std::vector<glm::mat4> rest;         ///< by joint: its place in the model, for joints that are no entities
 };
 
 /// A decoded base colour texture and how it is sampled.
@@ -54,12 +71,13 @@ struct SurfaceTexture {
     assets::Filter magnify = assets::Filter::linear;
 };
 
-/// The meshes and textures of a world, by index. A resource; what is added stays until the world ends, and references
-/// stay valid.
+/// The meshes, textures and skins of a world, by index. A resource; what is added stays until the world ends, and
+/// references stay valid.
 class MeshStore {
 public:
     std::uint32_t add(SurfaceMesh mesh) {
         mesh.bounds = geometry::bounds_of(mesh.positions);
+        if (mesh.deforms()) mesh.normal_weld = geometry::weld_normals(mesh.positions, mesh.normals);
         meshes_.push_back(std::move(mesh));
         return static_cast<std::uint32_t>(meshes_.size() - 1);
     }
@@ -67,15 +85,21 @@ public:
         textures_.push_back(std::move(texture));
         return static_cast<std::int32_t>(textures_.size() - 1);
     }
+    std::uint32_t add(SkinBinding skin) {
+        skins_.push_back(std::move(skin));
+        return static_cast<std::uint32_t>(skins_.size() - 1);
+    }
     [[nodiscard]] const SurfaceMesh& mesh(std::uint32_t index) const { return meshes_.at(index); }
     [[nodiscard]] const SurfaceTexture& texture(std::int32_t index) const {
         return textures_.at(static_cast<std::size_t>(index));
     }
+    [[nodiscard]] const SkinBinding& skin(std::uint32_t index) const { return skins_.at(index); }
     [[nodiscard]] std::size_t mesh_count() const { return meshes_.size(); }
 
 private:
     std::deque<SurfaceMesh> meshes_;
     std::deque<SurfaceTexture> textures_;
+    std::deque<SkinBinding> skins_;
 };
 
 } // namespace hachure

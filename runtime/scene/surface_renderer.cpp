@@ -65,8 +65,7 @@ void draw_item(const World& world, RenderContext& render, const DrawItem& item, 
                const SurfaceShading& shading) {
     const MeshStore& store = world.resource<MeshStore>();
     const SurfaceMesh& mesh = store.mesh(item.mesh);
-    const GpuMesh& gpu_mesh = render.meshes.mesh(store, item.mesh);
-    gpu_mesh.vertex_array.bind();
+    render.meshes.vertex_array(store, item).bind();
     for (const Submesh& submesh : mesh.submeshes) {
         if (submesh.index_count == 0) continue;
         gpu::ProgramSource source{.vertex = "surface/surface.vert", .fragment = std::string(shading.fragment)};

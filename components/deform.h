@@ -1,0 +1,28 @@
+#pragma once
+
+#include <hachure/runtime/ecs/reflect.h>
+#include <hachure/runtime/geometry/skin.h>
+
+namespace hachure {
+
+enum class DeformedNormals { blended, recomputed };
+
+/// How a skinned or morphing surface deforms; one that carries no Deform does as the defaults say.
+struct Deform {
+    geometry::SkinMethod method = geometry::SkinMethod::linear;
+    DeformedNormals normals = DeformedNormals::blended;
+
+    friend bool operator==(const Deform&, const Deform&) = default;
+};
+
+inline void reflect(TypeBuilder<Deform>& type) {
+    type.name("deform").doc("how a skinned or morphing surface deforms");
+    type.field("method", &Deform::method)
+        .doc("how joints are blended: linear is fastest and what files are made for, dual quaternions keep the volume")
+        .options({"linear", "dual_quaternion"});
+    type.field("normals", &Deform::normals)
+        .doc("blended with the joints, or recomputed from the deformed surface: dearer, and right where it bends")
+        .options({"blended", "recomputed"});
+}
+
+} // namespace hachure

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <hachure/runtime/geometry/bounds.h>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace hachure {
+
+/// The shape of a surface in this frame, in place of its mesh's own; systems/deform computes it. In entity space, by
+/// vertex of the mesh.
+struct Deformed {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;  ///< unit
+    std::vector<glm::vec4> tangents; ///< empty where the mesh has none
+    geometry::Bounds bounds;
+    std::uint64_t version = 0; ///< another one whenever the shape is; no two shapes of a world share one
+};
+
+} // namespace hachure

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <hachure/runtime/ecs/entity.h>
+#include <hachure/runtime/ecs/entity_map.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace hachure {
+
+/// On the root of a model: what clips move. Copies of the model (`World::instantiate`) have a rig of their own.
+struct Rig {
+    std::uint32_t clips = 0;    ///< index into the world's ClipStore
+    std::vector<Entity> nodes;  ///< by node of the file; null where the scene has none of it
+    std::vector<Entity> morphs; ///< by node of the file: its entity with MorphWeights, or null
+};
+
+inline void remap_entities(Rig& rig, const EntityMap& copies) {
+    for (Entity& node : rig.nodes) node = copies(node);
+    for (Entity& node : rig.morphs) node = copies(node);
+}
+
+} // namespace hachure

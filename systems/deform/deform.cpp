@@ -1,0 +1,143 @@
+#include <hachure/components/deformed.h>
+#include <hachure/components/morph_weights.h>
+#include <hachure/components/skin.h>
+#include <hachure/components/surface.h>
+#include <hachure/components/world_transform.h>
+#include <hachure/runtime/app/app.h>
+#include <hachure/runtime/parallel.h>
+#include <hachure/systems/deform/deform.h>
+#include <hachure/systems/deform/shape_update.h>
+
+#include <glm/matrix.hpp>
+
+#include <deque>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace hachure {
+namespace {
+
+using Places = Query<const WorldTransform>;
+using Bodies =
+    Query<const Surface, const WorldTransform, AnyOf<const Skin, const MorphWeights>, Optional<const Deform>>;
+
+/// Places of joints in the world, and what they make of a skin's rest pose.
+class Palettes {
+public:
+    Palettes(const Places& places, const MeshStore& store) : places_(places), store_(store) {}
+
+    /// Of a surface that stands at `surface`; into `palette`.
+    void make(const Skin& skin, const glm::mat4& surface, std::vector<geometry::JointMatrix>& palette) {
+        const SkinBinding& binding = store_.skin(skin.binding);
+        const glm::dmat4 world_from_surface(surface);
+        joints_.resize(skin.joints.size());
+        for (std::size_t j = 0; j < joints_.size(); ++j) {
+            const auto place = places_.find(skin.joints[j]);
+            joints_[j] = place ? glm::dmat4(std::get<const WorldTransform&>(*place).matrix)
+                               : world_from_surface * glm::dmat4(binding.rest[j]);
+        }
+        palette.resize(joints_.size() + 1);
+        geometry::SkinPaletteJob job{
+            .joints_double = joints_, .inverse_bind = binding.inverse_bind, .palette = palette};
+        // A surface that is flattened has no inverse; nothing of it is seen, whatever its shape.
+        if (glm::determinant(world_from_surface) != 0.0) job.to_out = glm::inverse(world_from_surface);
+        job.run();
+    }
+
+private:
+    const Places& places_;
+    const MeshStore& store_;
+    std::vector<glm::dmat4> joints_;
+};
+
+/// The shape of a surface that had none.
+struct Newcomer {
+    Entity entity;
+    Deformed shape;
+};
+
+class DeformSystem {
+public:
+    void operator()(Bodies bodies, Places places, Query<Deformed> shapes, Removed<Skin> unskinned,
+                    Removed<MorphWeights> unmorphed, LastRun last, const MeshStore& store, DeformCounts& counts,
+                    Commands& commands) {
+        counts = {};
+        forget(bodies, unskinned);
+        forget(bodies, unmorphed);
+        if (!anything_moved(bodies, places, last)) return;
+        collect(bodies, places, shapes, store);
+        run();
+        for (ShapeUpdate& update : updates_) counts.vertices += update.vertices();
+        counts.surfaces = updates_.size();
+        for (Newcomer& newcomer : newcomers_) commands.add(newcomer.entity, std::move(newcomer.shape));
+        updates_.clear();
+        newcomers_.clear();
+    }
+
+private:
+    static bool anything_moved(const Bodies& bodies, const Places& places, LastRun last) {
+        return !places.changed_since<WorldTransform>(last.tick).empty() ||
+               !bodies.changed_since<Surface, Skin, MorphWeights, Deform>(last.tick).empty();
+    }
+
+    template <class C> void forget(const Bodies& bodies, const Removed<C>& removed) {
+        for (const Entity entity : removed)
+            if (!bodies.contains(entity)) states_.erase(entity);
+    }
+
+    /// Finds out what is to be deformed.
+    void collect(const Bodies& bodies, const Places& places, const Query<Deformed>& shapes, const MeshStore& store) {
+        Palettes palettes(places, store);
+        for (auto [entity, surface, transform, skin, morph, settings] : bodies) {
+            const SurfaceMesh& mesh = store.mesh(surface.mesh);
+            const bool skinned = skin && skin->joints.size() == mesh.skin.joint_count() && mesh.skin.vertex_count() > 0;
+            const bool morphing = morph && morph->values.size() == mesh.morphs.size();
+            if (!skinned && !morphing) continue;
+            palette_.clear();
+            if (skinned) palettes.make(*skin, transform.matrix, palette_);
+            ShapeUpdate update(mesh, states_[entity]);
+            if (update.prepare(surface.mesh, settings ? *settings : Deform{},
+                               morphing ? std::span<const float>(morph->values) : std::span<const float>(), palette_))
+                add(entity, update, shapes);
+        }
+    }
+
+    void add(Entity entity, ShapeUpdate& update, const Query<Deformed>& shapes) {
+        if (const auto found = shapes.find(entity))
+            update.resize(std::get<Deformed&>(*found));
+        else
+            update.resize(newcomers_.emplace_back(Newcomer{entity, {}}).shape);
+        updates_.push_back(std::move(update));
+    }
+
+    void run() {
+        tasks_.clear();
+        for (std::size_t i = 0; i < updates_.size(); ++i)
+            for (std::size_t range = 0; range < updates_[i].ranges(); ++range) tasks_.emplace_back(i, range);
+        parallel_for(tasks_.size(),
+                     [this](std::size_t task) { updates_[tasks_[task].first].run(tasks_[task].second); });
+        const std::uint64_t first = version_ + 1;
+        version_ += updates_.size();
+        parallel_for(updates_.size(), [this, first](std::size_t i) { updates_[i].finish(first + i); });
+    }
+
+    std::unordered_map<Entity, DeformState> states_;
+    std::vector<geometry::JointMatrix> palette_;
+    std::vector<ShapeUpdate> updates_;
+    std::vector<std::pair<std::size_t, std::size_t>> tasks_; ///< update and range
+    std::deque<Newcomer> newcomers_;                         ///< updates point into it
+    std::uint64_t version_ = 0;
+};
+
+} // namespace
+
+void register_deform(App& app) {
+    app.add_component<Deform>();
+    World& world = app.world();
+    if (!world.find_resource<MeshStore>()) world.set_resource(MeshStore{});
+    world.set_resource(DeformCounts{});
+    app.add_system(Stage::deform, "deform", DeformSystem{});
+}
+
+} // namespace hachure

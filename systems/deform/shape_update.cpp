@@ -1,0 +1,110 @@
+#include <hachure/systems/deform/shape_update.h>
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cstring>
+
+namespace hachure {
+namespace {
+
+/// So many that handing a range to a thread costs nothing beside it.
+constexpr std::size_t range_size = 4096;
+
+/// Bit for bit: a palette is the same only when the joints have not moved at all.
+bool same_palette(const std::vector<geometry::JointMatrix>& a, const std::vector<geometry::JointMatrix>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+}
+
+glm::dmat4 matrix_of(const geometry::JointMatrix& joint) {
+    return glm::transpose(glm::dmat4(joint.row[0], joint.row[1], joint.row[2], {0, 0, 0, 1}));
+}
+
+geometry::Bounds joined(const std::vector<geometry::Bounds>& all) {
+    geometry::Bounds result;
+    for (const geometry::Bounds& bounds : all) result.include(bounds);
+    return result;
+}
+
+} // namespace
+
+bool ShapeUpdate::prepare(std::uint32_t mesh_index, const Deform& settings, std::span<const float> weights,
+                          std::vector<geometry::JointMatrix>& palette) {
+    if (state_->made && state_->mesh == mesh_index && state_->settings == settings &&
+        std::ranges::equal(state_->weights, weights) && same_palette(state_->palette, palette))
+        return false;
+    state_->made = true;
+    state_->mesh = mesh_index;
+    state_->settings = settings;
+    state_->weights.assign(weights.begin(), weights.end());
+    state_->palette.swap(palette);
+    state_->motions.clear();
+    if (settings.method == geometry::SkinMethod::dual_quaternion)
+        for (const geometry::JointMatrix& joint : state_->palette)
+            state_->motions.push_back(geometry::to_joint_motion(matrix_of(joint)));
+    return true;
+}
+
+bool ShapeUpdate::morphs() const {
+    return std::ranges::any_of(state_->weights, [](float weight) { return weight != 0.0f; });
+}
+
+void ShapeUpdate::resize(Deformed& shape) {
+    shape_ = &shape;
+    const std::size_t count = mesh_->positions.size();
+    bounds_.assign((count + range_size - 1) / range_size, {});
+    shape.positions.resize(count);
+    shape.normals.resize(count);
+    if (!skins() || !morphs()) return;
+    state_->morphed_positions.resize(count);
+    state_->morphed_normals.resize(count);
+}
+
+void ShapeUpdate::run(std::size_t range) {
+    const geometry::VertexRange vertices{range * range_size,
+                                         std::min(range_size, mesh_->positions.size() - range * range_size)};
+    if (morphs() || !skins()) bounds_[range] = run_morph(vertices);
+    if (skins()) bounds_[range] = run_skin(vertices);
+}
+
+geometry::Bounds ShapeUpdate::run_morph(geometry::VertexRange range) {
+    const bool skinned = skins();
+    geometry::MorphJob job{.base_positions = mesh_->positions,
+                           .base_normals = mesh_->normals,
+                           .targets = &mesh_->morphs,
+                           .weights = state_->weights,
+                           .range = range,
+                           .positions = skinned ? state_->morphed_positions : shape_->positions,
+                           .normals = skinned ? state_->morphed_normals : shape_->normals};
+    job.run();
+    return job.bounds;
+}
+
+geometry::Bounds ShapeUpdate::run_skin(geometry::VertexRange range) {
+    const bool morphed = morphs();
+    geometry::SkinJob job{.method = state_->settings.method,
+                          .rest_positions = morphed ? state_->morphed_positions : mesh_->positions,
+                          .rest_normals = morphed ? state_->morphed_normals : mesh_->normals,
+                          .weights = &mesh_->skin,
+                          .palette = state_->palette,
+                          .motions = state_->motions,
+                          .range = range,
+                          .positions = shape_->positions,
+                          .normals = shape_->normals};
+    job.run();
+    return job.bounds;
+}
+
+void ShapeUpdate::finish(std::uint64_t version) {
+    shape_->bounds = joined(bounds_);
+    shape_->version = version;
+    if (state_->settings.normals == DeformedNormals::blended) return;
+    geometry::SmoothNormalsJob& job = state_->normals;
+    job.positions = shape_->positions;
+    job.indices = mesh_->indices;
+    job.weld = mesh_->normal_weld;
+    job.normals = shape_->normals;
+    job.run();
+}
+
+} // namespace hachure
