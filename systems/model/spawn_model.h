@@ -17,11 +17,11 @@ struct SpawnedModel {
     std::vector<Entity> cameras;  ///< the first is active
     std::vector<Entity> lights;
     std::vector<glm::vec3> points;     ///< every vertex of every surface that a triangle uses, in the world
-    std::vector<std::string> warnings; ///< images that could not be decoded, one line each
+    std::vector<std::string> warnings; ///< images that could not be used, one line each
 };
 
 /// Puts the default scene of `model` into `world`: an entity per node, with Name, Transform, and Surface, Camera and
-/// Light as the node says; meshes and base colour textures go to the world's MeshStore. Characters stand in their rest
+/// Light as the node says; meshes and textures go to the world's MeshStore. Characters stand in their rest
 /// pose.
 SpawnedModel spawn_model(World& world, const assets::Model& model);
 
