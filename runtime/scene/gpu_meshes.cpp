@@ -41,6 +41,9 @@ GpuMesh upload_mesh(const SurfaceMesh& mesh) {
     result.normals = upload_attribute(result.vertex_array, 1, mesh.normals, mesh.name + " normals");
     result.texcoords = upload_attribute(result.vertex_array, 2, mesh.texcoords, mesh.name + " texcoords");
     result.colors = upload_attribute(result.vertex_array, 3, mesh.colors, mesh.name + " colors");
+    result.tangents = upload_attribute(result.vertex_array, 4, mesh.tangents, mesh.name + " tangents");
+    result.normal_texcoords =
+        upload_attribute(result.vertex_array, 5, mesh.normal_texcoords, mesh.name + " normal texcoords");
     if (!mesh.indices.empty()) {
         const std::vector<std::uint32_t> indices = cache_friendly(mesh);
         result.indices = gpu::Buffer(std::span<const std::uint32_t>(indices), mesh.name + " indices");
@@ -49,7 +52,7 @@ GpuMesh upload_mesh(const SurfaceMesh& mesh) {
     return result;
 }
 
-/// Sampling decodes sRGB, so every image becomes RGBA whatever its channels.
+/// sRGB formats have four channels, so every image becomes RGBA whatever its channels.
 std::vector<std::uint8_t> to_rgba(const assets::Image& image) {
     const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const std::size_t channels = static_cast<std::size_t>(image.channels);
@@ -77,18 +80,22 @@ gpu::Wrap gpu_wrap(assets::Wrap wrap) {
     return gpu::Wrap::repeat;
 }
 
+gpu::Filter gpu_filter(assets::Filter filter) {
+    return filter == assets::Filter::nearest ? gpu::Filter::nearest : gpu::Filter::linear;
+}
+
 gpu::Texture upload_texture(const SurfaceTexture& source) {
     const assets::Image& image = source.image;
-    gpu::TextureDesc desc{image.width, image.height, gpu::Format::srgb8_alpha8};
+    const bool srgb = source.color_space == ColorSpace::srgb;
+    gpu::TextureDesc desc{image.width, image.height, srgb ? gpu::Format::srgb8_alpha8 : gpu::Format::rgba8};
     desc.levels = gpu::mip_levels(image.width, image.height);
-    gpu::Texture texture(desc, "base color");
+    gpu::Texture texture(desc, srgb ? "base color" : "normal map");
     // Texture coordinates run downwards in glTF: its first row is v = 0.
     texture.upload(std::span<const std::uint8_t>(to_rgba(image)), gpu::RowOrder::bottom_first);
     texture.generate_mipmaps();
-    const bool nearest = source.magnify == assets::Filter::nearest;
-    texture.set_sampling({.min = gpu::Filter::linear,
-                          .mag = nearest ? gpu::Filter::nearest : gpu::Filter::linear,
-                          .mipmaps = true,
+    texture.set_sampling({.min = gpu_filter(source.minify),
+                          .mag = gpu_filter(source.magnify),
+                          .mipmaps = source.mipmaps,
                           .wrap_u = gpu_wrap(source.wrap_s),
                           .wrap_v = gpu_wrap(source.wrap_t)});
     return texture;
@@ -117,11 +124,18 @@ const gpu::VertexArray& GpuMeshes::vertex_array(const MeshStore& store, const Dr
         bind_attribute<glm::vec3>(shape.vertex_array, 1, shape.normals);
         bind_attribute<glm::vec2>(shape.vertex_array, 2, base.texcoords);
         bind_attribute<glm::vec4>(shape.vertex_array, 3, base.colors);
+        bind_attribute<glm::vec2>(shape.vertex_array, 5, base.normal_texcoords);
+        if (!item.shape.tangents.empty()) {
+            shape.tangents =
+                gpu::Buffer(item.shape.tangents.size_bytes(), gpu::BufferUsage::dynamic, name + " shape tangents");
+            bind_attribute<glm::vec4>(shape.vertex_array, 4, shape.tangents);
+        }
         if (base.indices) shape.vertex_array.set_index_buffer(base.indices);
         shape.mesh = item.mesh;
     }
     shape.positions.update(item.shape.positions);
     shape.normals.update(item.shape.normals);
+    if (!item.shape.tangents.empty()) shape.tangents.update(item.shape.tangents);
     shape.version = item.shape.version;
     return shape.vertex_array;
 }

@@ -12,9 +12,10 @@
 
 namespace hachure {
 
-/// A mesh of the MeshStore on the GPU. Attribute locations: 0 position, 1 normal, 2 texture coordinates, 3 colour.
+/// A mesh of the MeshStore on the GPU. Attribute locations: 0 position, 1 normal, 2 texture coordinates, 3 colour,
+/// 4 tangent, 5 texture coordinates of normal maps.
 struct GpuMesh {
-    gpu::Buffer positions, normals, texcoords, colors, indices;
+    gpu::Buffer positions, normals, texcoords, colors, tangents, normal_texcoords, indices;
     gpu::VertexArray vertex_array;
 };
 
@@ -34,7 +35,7 @@ public:
 private:
     /// The vertices of a deformed surface; the rest is its mesh's.
     struct Shape {
-        gpu::Buffer positions, normals;
+        gpu::Buffer positions, normals, tangents;
         gpu::VertexArray vertex_array;
         std::uint32_t mesh = 0;
         std::uint64_t version = 0;

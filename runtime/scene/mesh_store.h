@@ -26,8 +26,13 @@ struct SurfaceMaterial {
     std::int32_t base_color_texture = -1; ///< into the MeshStore's textures, -1 for none
     glm::vec2 uv_offset{0.0f};
     glm::vec2 uv_scale{1.0f};
-    float uv_rotation = 0.0f;  ///< radians
-    float alpha_cutoff = 0.0f; ///< fragments below it are not drawn; 0 keeps all
+    float uv_rotation = 0.0f;         ///< radians
+    std::int32_t normal_texture = -1; ///< into the MeshStore's textures, -1 for none; needs the mesh's tangents
+    float normal_scale = 1.0f;        ///< of the normal map's x and y
+    glm::vec2 normal_uv_offset{0.0f};
+    glm::vec2 normal_uv_scale{1.0f};
+    float normal_uv_rotation = 0.0f; ///< radians
+    float alpha_cutoff = 0.0f;       ///< fragments below it are not drawn; 0 keeps all
     bool double_sided = false;
 };
 
@@ -43,7 +48,9 @@ struct SurfaceMesh {
     std::string name;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> tangents; ///< xyz unit, w +-1: for normal maps, whose y is w * cross(normal, tangent)
     std::vector<glm::vec2> texcoords;
+    std::vector<glm::vec2> normal_texcoords; ///< where normal maps don't use `texcoords`; empty where all do
     std::vector<glm::vec4> colors;
     std::vector<std::uint32_t> indices; ///< 3 per triangle, over all submeshes
     std::vector<Submesh> submeshes;
@@ -63,12 +70,18 @@ struct SkinBinding {
     std::vector<glm::mat4> rest;         ///< by joint: its place in the model, for joints that are no entities
 };
 
-/// A decoded base colour texture and how it is sampled.
+/// What the bytes of a texture say: colours in sRGB, or plain numbers as in a normal map.
+enum class ColorSpace : std::uint8_t { srgb, linear };
+
+/// A decoded texture and how it is sampled.
 struct SurfaceTexture {
-    assets::Image image; ///< u8, 1 to 4 channels, sRGB
+    assets::Image image; ///< u8, 1 to 4 channels
     assets::Wrap wrap_s = assets::Wrap::repeat;
     assets::Wrap wrap_t = assets::Wrap::repeat;
     assets::Filter magnify = assets::Filter::linear;
+    assets::Filter minify = assets::Filter::linear;
+    bool mipmaps = true;
+    ColorSpace color_space = ColorSpace::srgb;
 };
 
 /// The meshes, textures and skins of a world, by index. A resource; what is added stays until the world ends, and

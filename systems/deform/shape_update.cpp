@@ -55,9 +55,11 @@ void ShapeUpdate::resize(Deformed& shape) {
     bounds_.assign((count + range_size - 1) / range_size, {});
     shape.positions.resize(count);
     shape.normals.resize(count);
+    shape.tangents.resize(mesh_->tangents.size());
     if (!skins() || !morphs()) return;
     state_->morphed_positions.resize(count);
     state_->morphed_normals.resize(count);
+    state_->morphed_tangents.resize(mesh_->tangents.size());
 }
 
 void ShapeUpdate::run(std::size_t range) {
@@ -71,11 +73,13 @@ geometry::Bounds ShapeUpdate::run_morph(geometry::VertexRange range) {
     const bool skinned = skins();
     geometry::MorphJob job{.base_positions = mesh_->positions,
                            .base_normals = mesh_->normals,
+                           .base_tangents = mesh_->tangents,
                            .targets = &mesh_->morphs,
                            .weights = state_->weights,
                            .range = range,
                            .positions = skinned ? state_->morphed_positions : shape_->positions,
-                           .normals = skinned ? state_->morphed_normals : shape_->normals};
+                           .normals = skinned ? state_->morphed_normals : shape_->normals,
+                           .tangents = skinned ? state_->morphed_tangents : shape_->tangents};
     job.run();
     return job.bounds;
 }
@@ -85,12 +89,14 @@ geometry::Bounds ShapeUpdate::run_skin(geometry::VertexRange range) {
     geometry::SkinJob job{.method = state_->settings.method,
                           .rest_positions = morphed ? state_->morphed_positions : mesh_->positions,
                           .rest_normals = morphed ? state_->morphed_normals : mesh_->normals,
+                          .rest_tangents = morphed ? state_->morphed_tangents : mesh_->tangents,
                           .weights = &mesh_->skin,
                           .palette = state_->palette,
                           .motions = state_->motions,
                           .range = range,
                           .positions = shape_->positions,
-                          .normals = shape_->normals};
+                          .normals = shape_->normals,
+                          .tangents = shape_->tangents};
     job.run();
     return job.bounds;
 }

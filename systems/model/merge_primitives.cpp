@@ -66,6 +66,9 @@ SurfaceMesh merge_primitives(std::string_view name, std::span<const Primitive> p
     SurfaceMesh mesh;
     mesh.name = name;
     const bool texcoords = std::ranges::any_of(primitives, [](const Primitive& p) { return !p.texcoords[0].empty(); });
+    const bool normal_texcoords =
+        std::ranges::any_of(primitives, [](const Primitive& p) { return !p.texcoords[1].empty(); });
+    const bool tangents = std::ranges::any_of(primitives, [](const Primitive& p) { return !p.tangents.empty(); });
     const bool colors = std::ranges::any_of(primitives, [](const Primitive& p) { return !p.colors.empty(); });
     for (const Primitive& primitive : primitives) {
         const auto first_vertex = static_cast<std::uint32_t>(mesh.positions.size());
@@ -73,11 +76,16 @@ SurfaceMesh merge_primitives(std::string_view name, std::span<const Primitive> p
         append(mesh.positions, primitive.positions, count, true, glm::vec3(0.0f));
         append(mesh.normals, primitive.normals, count, true, glm::vec3(0.0f, 1.0f, 0.0f));
         append(mesh.texcoords, primitive.texcoords[0], count, texcoords, glm::vec2(0.0f));
+        append(mesh.normal_texcoords, primitive.texcoords[1].empty() ? primitive.texcoords[0] : primitive.texcoords[1],
+               count, normal_texcoords, glm::vec2(0.0f));
+        append(mesh.tangents, primitive.tangents, count, tangents, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
         append(mesh.colors, primitive.colors, count, colors, glm::vec4(1.0f));
         const auto first_index = static_cast<std::uint32_t>(mesh.indices.size());
         for (const std::uint32_t index : primitive.indices) mesh.indices.push_back(first_vertex + index);
         mesh.submeshes.push_back(
             {first_index, static_cast<std::uint32_t>(primitive.indices.size()), material(primitive.material)});
+        if (primitive.tangents.empty() || (primitive.texcoords[0].empty() && primitive.texcoords[1].empty()))
+            mesh.submeshes.back().material.normal_texture = -1; // others may have what it lacks
     }
     if (joint_count > 0) mesh.skin = joined_weights(primitives, mesh.positions.size(), joint_count);
     mesh.morphs = joined_morphs(primitives, mesh.positions.size());

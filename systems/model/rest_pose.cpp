@@ -27,10 +27,16 @@ void apply_morph_weights(Primitive& primitive, const std::vector<float>& weights
             primitive.positions[i] += weights[t] * target.positions[i];
         for (std::size_t i = 0; i < target.normals.size() && i < primitive.normals.size(); ++i)
             primitive.normals[i] += weights[t] * target.normals[i];
+        for (std::size_t i = 0; i < target.tangents.size() && i < primitive.tangents.size(); ++i)
+            primitive.tangents[i] += glm::vec4(weights[t] * target.tangents[i], 0.0f);
     }
     for (glm::vec3& normal : primitive.normals) {
         const float length = glm::length(normal);
         normal = length > 0.0f ? normal / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+    for (glm::vec4& tangent : primitive.tangents) {
+        const float length = glm::length(glm::vec3(tangent));
+        tangent = glm::vec4(length > 0.0f ? glm::vec3(tangent) / length : glm::vec3(1.0f, 0.0f, 0.0f), tangent.w);
     }
 }
 
@@ -53,11 +59,18 @@ bool blend_joints(const Primitive& primitive, std::size_t vertex, const std::vec
     return true;
 }
 
+void skin_tangent(glm::vec4& tangent, const glm::mat4& blended) {
+    const glm::vec3 turned = glm::mat3(blended) * glm::vec3(tangent);
+    const float length = glm::length(turned);
+    if (length > 0.0f) tangent = glm::vec4(turned / length, tangent.w);
+}
+
 void apply_skin(Primitive& primitive, const std::vector<glm::mat4>& joints) {
     glm::mat4 blended;
     for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
         if (!blend_joints(primitive, i, joints, blended)) continue;
         primitive.positions[i] = glm::vec3(blended * glm::vec4(primitive.positions[i], 1.0f));
+        if (i < primitive.tangents.size()) skin_tangent(primitive.tangents[i], blended);
         if (i >= primitive.normals.size()) continue;
         // Cofactors instead of the inverse transpose: defined for flattened joints too.
         const glm::vec3 x(blended[0]), y(blended[1]), z(blended[2]);

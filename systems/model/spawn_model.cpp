@@ -8,13 +8,12 @@
 #include <hachure/components/surface.h>
 #include <hachure/components/transform.h>
 #include <hachure/components/world_transform.h>
-#include <hachure/runtime/assets/image_file.h>
-#include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/clip_store.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/systems/model/merge_primitives.h>
 #include <hachure/systems/model/rest_pose.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/systems/model/surface_material.h>
 
 #include <algorithm>
 #include <map>
@@ -25,55 +24,6 @@ namespace {
 
 using assets::Model;
 using assets::Node;
-
-/// Decodes a texture when its first material asks for it.
-class Textures {
-public:
-    Textures(const Model& model, MeshStore& store, std::vector<std::string>& warnings)
-        : model_(model), store_(store), warnings_(warnings) {}
-
-    std::int32_t get(std::int32_t index) {
-        if (index < 0) return -1;
-        const auto [entry, fresh] = loaded_.try_emplace(index, -1);
-        if (fresh) entry->second = load(model_.textures[static_cast<std::size_t>(index)]);
-        return entry->second;
-    }
-
-private:
-    std::int32_t load(const assets::Texture& texture) {
-        if (texture.image < 0) return -1;
-        const assets::EncodedImage& source = model_.images[static_cast<std::size_t>(texture.image)];
-        if (source.bytes.empty()) return -1;
-        try {
-            assets::Image image = assets::read_image_memory(source.name, source.bytes);
-            if (image.type != assets::PixelType::u8) throw Error(source.name, "is not an 8-bit image");
-            return store_.add(SurfaceTexture{std::move(image), texture.wrap_s, texture.wrap_t, texture.magnify});
-        } catch (const Error& error) {
-            warnings_.push_back(error.what());
-            return -1;
-        }
-    }
-
-    const Model& model_;
-    MeshStore& store_;
-    std::vector<std::string>& warnings_;
-    std::map<std::int32_t, std::int32_t> loaded_;
-};
-
-SurfaceMaterial surface_material(const Model& model, std::int32_t index, Textures& textures) {
-    SurfaceMaterial result;
-    if (index < 0) return result; // glTF's default: white, one side
-    const assets::Material& material = model.materials[static_cast<std::size_t>(index)];
-    result.name = material.name;
-    result.base_color = material.base_color;
-    result.base_color_texture = textures.get(material.base_color_texture.texture);
-    result.uv_offset = material.base_color_texture.offset;
-    result.uv_scale = material.base_color_texture.scale;
-    result.uv_rotation = material.base_color_texture.rotation;
-    result.alpha_cutoff = material.alpha_mode == assets::AlphaMode::mask ? material.alpha_cutoff : 0.0f;
-    result.double_sided = material.double_sided;
-    return result;
-}
 
 Camera camera_component(const assets::Camera& camera) {
     Camera result;
@@ -100,7 +50,7 @@ class Spawner {
 public:
     Spawner(World& world, const Model& model)
         : world_(world), model_(model), matrices_(node_matrices(model)), store_(world.resource_mutable<MeshStore>()),
-          textures_(model, store_, result_.warnings), nodes_(model.nodes.size(), Entity::null),
+          materials_(model, store_, result_.warnings), nodes_(model.nodes.size(), Entity::null),
           morphs_(model.nodes.size(), Entity::null) {}
 
     SpawnedModel run() {
@@ -213,20 +163,13 @@ private:
         const auto [entry, fresh] = meshes_.try_emplace({node.mesh, joints}, 0);
         if (!fresh) return entry->second;
         const assets::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
-        const auto material = [&](std::int32_t index) { return surface_material(model_, index, textures_); };
+        const auto material = [&](std::int32_t index) { return materials_.get(index); };
         std::vector<assets::Primitive> primitives = mesh.primitives;
-        for (assets::Primitive& primitive : primitives) use_base_color_texcoords(primitive);
+        for (assets::Primitive& primitive : primitives) materials_.prepare(primitive);
         SurfaceMesh merged = merge_primitives(mesh.name, primitives, material, joints);
         for (std::string& warning : geometry::skin_weight_warnings(merged.skin.repairs(), "mesh '" + mesh.name + "'"))
             result_.warnings.push_back(std::move(warning));
         return entry->second = store_.add(std::move(merged));
-    }
-
-    /// A SurfaceMesh has one set of texture coordinates: the one of the base colour.
-    void use_base_color_texcoords(assets::Primitive& primitive) const {
-        if (primitive.material < 0) return;
-        const assets::Material& material = model_.materials[static_cast<std::size_t>(primitive.material)];
-        if (material.base_color_texture.texcoord == 1) primitive.texcoords[0] = primitive.texcoords[1];
     }
 
     World& world_;
@@ -234,7 +177,7 @@ private:
     std::vector<glm::mat4> matrices_;
     SpawnedModel result_;
     MeshStore& store_;
-    Textures textures_;
+    SurfaceMaterials materials_;
     std::map<std::pair<std::int32_t, std::size_t>, std::uint32_t> meshes_; ///< by mesh and number of joints
     std::map<std::int32_t, std::uint32_t> bindings_;                       ///< by skin
     std::vector<Entity> nodes_;                                            ///< by node
