@@ -1,7 +1,10 @@
 #include <hachure/components/animation.h>
+#include <hachure/components/camera.h>
+#include <hachure/components/light.h>
 #include <hachure/components/morph_weights.h>
 #include <hachure/components/name.h>
 #include <hachure/components/rig.h>
+#include <hachure/components/surface.h>
 #include <hachure/components/transform.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/app/log.h>
@@ -15,6 +18,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -39,12 +43,35 @@ animation::JointPose place_of_parent(const animation::PoseLayout& layout, const 
 
 /// What is written beside the models.
 struct Targets {
+    const TypeRegistry* types;
+    Query<Camera> cameras;
+    Query<Light> lights;
+    Query<Surface> surfaces;
     Query<Transform> places;
     Query<MorphWeights> morphs;
     Query<Animation> animations;
     Query<AnimationStates> states;
     Query<AnimationLayers> layers;
 };
+
+template <class C> void* component_in(const Query<C>& query, Entity entity) {
+    const auto found = query.find(entity);
+    return found ? &std::get<C&>(*found) : nullptr;
+}
+
+void* component_of(const Targets& targets, const RigPointer& pointer) {
+    if (pointer.component == "camera") return component_in(targets.cameras, pointer.entity);
+    if (pointer.component == "light") return component_in(targets.lights, pointer.entity);
+    return pointer.component == "surface" ? component_in(targets.surfaces, pointer.entity) : nullptr;
+}
+
+/// As the field has it: the alternative of `like`.
+FieldValue field_value(const FieldValue& like, std::span<const float> values) {
+    if (std::holds_alternative<bool>(like)) return values[0] != 0.0f;
+    if (std::holds_alternative<glm::vec3>(like) && values.size() == 3)
+        return glm::vec3(values[0], values[1], values[2]);
+    return double{values[0]};
+}
 
 void write_pose(const Rig& rig, const animation::PoseLayout& layout, ModelPlayer& player, const Targets& targets) {
     const animation::Pose& pose = player.mix.pose;
@@ -80,16 +107,35 @@ void move_model(Entity model, const animation::PoseLayout& layout, const ModelPl
     transform.rotation = glm::normalize(transform.rotation * glm::quat(motion.rotation));
 }
 
+/// Sets the fields that a clip's pointers name. Values outside a field's range, as splines can give them, are dropped.
+void write_pointers(const Rig& rig, const ModelClips& clips, const ModelPlayer& player, const Targets& targets) {
+    if (player.mix.pointers.empty() || player.mix.sources.front().clip < 0) return;
+    const auto clip = static_cast<std::uint32_t>(player.mix.sources.front().clip);
+    for (const RigPointer& pointer : std::ranges::equal_range(rig.pointers, clip, {}, &RigPointer::clip)) {
+        const animation::PointerChannel& channel = clips.set.clips[clip].pointers[pointer.channel];
+        const std::span<const float> values = std::span(player.mix.pointers).subspan(channel.first, channel.components);
+        const TypeInfo* type = targets.types->find(pointer.component);
+        const FieldInfo* field = type ? type->field(pointer.field) : nullptr;
+        void* component = component_of(targets, pointer);
+        if (!field || !component) continue;
+        const FieldValue value = field_value(field->default_value, values);
+        if (field->fault(value).empty()) field->set(component, value);
+    }
+}
+
 class AnimationSystem {
 public:
+    explicit AnimationSystem(const TypeRegistry& types) : types_(&types) {}
+
     void operator()(Models models, Query<Transform> places, Query<MorphWeights> morphs, Query<Animation> animations,
-                    Query<AnimationStates> states, Query<AnimationLayers> layers, Removed<Rig> gone,
-                    const ClipStore& store, const Time& time, AnimationCounts& counts, EventWriter<ClipEvent> events) {
+                    Query<AnimationStates> states, Query<AnimationLayers> layers, Query<Camera> cameras,
+                    Query<Light> lights, Query<Surface> surfaces, Removed<Rig> gone, const ClipStore& store,
+                    const Time& time, AnimationCounts& counts, EventWriter<ClipEvent> events) {
         for (const Entity entity : gone) players_.erase(entity);
         collect(models, store, time.delta);
         parallel_for(active_.size(), [this](std::size_t i) { active_[i].player->mix.run(*active_[i].clips); });
         counts = {active_.size(), 0};
-        const Targets targets{places, morphs, animations, states, layers};
+        const Targets targets{types_, cameras, lights, surfaces, places, morphs, animations, states, layers};
         for (const Active& active : active_) {
             write(active, targets);
             counts.clips += active.player->mix.sources.size() + active.player->mix.layers.size();
@@ -128,6 +174,7 @@ private:
     static void write(const Active& active, const Targets& targets) {
         ModelPlayer& player = *active.player;
         write_pose(*active.rig, active.clips->set.layout, player, targets);
+        write_pointers(*active.rig, *active.clips, player, targets);
         move_model(active.entity, active.clips->set.layout, player, targets);
         if (active.request.states)
             std::get<AnimationStates&>(*targets.states.find(active.entity)) = player.states;
@@ -137,6 +184,7 @@ private:
             std::get<AnimationLayers&>(*targets.layers.find(active.entity)) = player.layers;
     }
 
+    const TypeRegistry* types_;
     std::unordered_map<Entity, std::unique_ptr<ModelPlayer>> players_;
     std::vector<Active> active_;
     std::vector<ClipEvent> passed_;
@@ -150,13 +198,15 @@ void register_animation(App& app) {
     World& world = app.world();
     if (!world.find_resource<ClipStore>()) world.set_resource(ClipStore{});
     world.set_resource(AnimationCounts{});
+    // The players are too heavy, and too much the system's own, to be copied with it.
     app.add_system(Stage::animate, "animation",
-                   [system = std::make_shared<AnimationSystem>()](
+                   [system = std::make_shared<AnimationSystem>(app.types())](
                        Models models, Query<Transform> places, Query<MorphWeights> morphs, Query<Animation> animations,
-                       Query<AnimationStates> states, Query<AnimationLayers> layers, Removed<Rig> gone,
-                       const ClipStore& store, const Time& time, AnimationCounts& counts,
-                       EventWriter<ClipEvent> events) {
-                       (*system)(models, places, morphs, animations, states, layers, gone, store, time, counts, events);
+                       Query<AnimationStates> states, Query<AnimationLayers> layers, Query<Camera> cameras,
+                       Query<Light> lights, Query<Surface> surfaces, Removed<Rig> gone, const ClipStore& store,
+                       const Time& time, AnimationCounts& counts, EventWriter<ClipEvent> events) {
+                       (*system)(models, places, morphs, animations, states, layers, cameras, lights, surfaces, gone,
+                                 store, time, counts, events);
                    });
 }
 

@@ -10,6 +10,7 @@
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/scene/clip_store.h>
 #include <hachure/runtime/scene/mesh_store.h>
+#include <hachure/systems/model/bind_pointers.h>
 #include <hachure/systems/model/merge_primitives.h>
 #include <hachure/systems/model/rest_pose.h>
 #include <hachure/systems/model/spawn_model.h>
@@ -51,7 +52,7 @@ public:
     Spawner(World& world, const Model& model)
         : world_(world), model_(model), matrices_(node_matrices(model)), store_(world.resource_mutable<MeshStore>()),
           materials_(model, store_, result_.warnings), nodes_(model.nodes.size(), Entity::null),
-          morphs_(model.nodes.size(), Entity::null) {}
+          morphs_(model.nodes.size(), Entity::null), surfaces_(model.nodes.size(), Entity::null) {}
 
     SpawnedModel run() {
         const assets::Scene& scene = model_.scenes[static_cast<std::size_t>(model_.default_scene)];
@@ -82,8 +83,12 @@ private:
         if (node.matrix) world_.add(entity, LocalMatrix{*node.matrix});
         world_.set_parent(entity, parent);
         if (node.mesh >= 0) add_surface(entity, index);
-        if (node.camera >= 0) add_camera(entity, model_.cameras[static_cast<std::size_t>(node.camera)]);
+        if (node.camera >= 0) {
+            camera_entities_.emplace(node.camera, entity);
+            add_camera(entity, model_.cameras[static_cast<std::size_t>(node.camera)]);
+        }
         if (node.light >= 0) {
+            light_entities_.emplace(node.light, entity);
             world_.add(entity, light_component(model_.lights[static_cast<std::size_t>(node.light)]));
             result_.lights.push_back(entity);
         }
@@ -95,7 +100,13 @@ private:
         ModelClips clips{animation::compile_clips(model_, result_.warnings), {}};
         clips.rest = animation::rest_pose(model_, clips.set.layout);
         for (const animation::Clip& clip : clips.set.clips) result_.clips.push_back(clip.name);
-        world_.add(result_.root, Rig{world_.resource_mutable<ClipStore>().add(std::move(clips)), nodes_, morphs_});
+        Rig rig{.nodes = nodes_, .morphs = morphs_};
+        const PointerOwners owners{surfaces_, camera_entities_, light_entities_};
+        for (std::size_t clip = 0; clip < clips.set.clips.size(); ++clip)
+            bind_pointers(clips.set.clips[clip], static_cast<std::uint32_t>(clip), owners, rig.pointers,
+                          result_.warnings);
+        rig.clips = world_.resource_mutable<ClipStore>().add(std::move(clips));
+        world_.add(result_.root, std::move(rig));
     }
 
     void add_camera(Entity entity, const assets::Camera& source) {
@@ -122,6 +133,7 @@ private:
         world_.add(entity, Surface{mesh});
         if (store_.mesh(mesh).deforms()) world_.add(entity, Deform{});
         result_.surfaces.push_back(entity);
+        surfaces_[index] = entity;
         add_points(node, index);
     }
 
@@ -182,6 +194,8 @@ private:
     std::map<std::int32_t, std::uint32_t> bindings_;                       ///< by skin
     std::vector<Entity> nodes_;                                            ///< by node
     std::vector<Entity> morphs_;                                           ///< by node
+    std::vector<Entity> surfaces_;                                         ///< by node
+    std::multimap<std::int32_t, Entity> camera_entities_, light_entities_; ///< by camera and light of the file
     std::vector<std::pair<Entity, std::int32_t>> skinned_;
 };
 
