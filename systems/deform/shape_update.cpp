@@ -1,9 +1,10 @@
 #include <hachure/systems/deform/shape_update.h>
 
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 
 namespace hachure {
 namespace {
@@ -11,9 +12,19 @@ namespace {
 /// So many that handing a range to a thread costs nothing beside it.
 constexpr std::size_t range_size = 4096;
 
-/// Bit for bit: a palette is the same only when the joints have not moved at all.
+/// Up to the rounding that moving the whole model brings: a character that stands still on something that moves is the
+/// same shape.
+bool same_row(const glm::vec4& a, const glm::vec4& b) {
+    constexpr float rounding = 4e-7f;
+    const float size = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z), std::abs(a.w)});
+    const glm::vec4 off = glm::abs(a - b);
+    return std::max({off.x, off.y, off.z, off.w}) <= rounding * size;
+}
+
 bool same_palette(const std::vector<geometry::JointMatrix>& a, const std::vector<geometry::JointMatrix>& b) {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+    return std::ranges::equal(a, b, [](const geometry::JointMatrix& x, const geometry::JointMatrix& y) {
+        return same_row(x.row[0], y.row[0]) && same_row(x.row[1], y.row[1]) && same_row(x.row[2], y.row[2]);
+    });
 }
 
 glm::dmat4 matrix_of(const geometry::JointMatrix& joint) {
