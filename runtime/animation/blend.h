@@ -26,7 +26,8 @@ struct BlendLayer {
 struct BlendPosesJob {
     std::span<const BlendLayer> layers;
     ConstPoseSpan rest;
-    PoseSpan out; ///< may be the pose of any layer or `rest`
+    PoseSpan out;                       ///< may be the pose of any layer or `rest`
+    const PoseLayout* layout = nullptr; ///< of the poses; only needed where they have morph weights
 
     /// Asserts that sizes agree and weights are finite and at least 0.
     void validate() const;
@@ -38,8 +39,9 @@ struct BlendPosesJob {
 struct OverlayPoseJob {
     PoseSpan pose; ///< in and out
     ConstPoseSpan over;
-    float weight = 1.0f;           ///< [0, 1]
-    std::span<const float> mask{}; ///< per node, [0, 1]; or empty for 1 everywhere
+    float weight = 1.0f;                ///< [0, 1]
+    std::span<const float> mask{};      ///< per node, [0, 1]; or empty for 1 everywhere
+    const PoseLayout* layout = nullptr; ///< of the poses; only needed where they have morph weights
 
     /// Asserts that sizes agree and weights are in range.
     void validate() const;
@@ -54,8 +56,9 @@ struct AddPoseJob {
     PoseSpan pose; ///< in and out
     ConstPoseSpan source;
     ConstPoseSpan reference;
-    float weight = 1.0f;           ///< [0, 1]
-    std::span<const float> mask{}; ///< per node, [0, 1]; or empty for 1 everywhere
+    float weight = 1.0f;                ///< [0, 1]
+    std::span<const float> mask{};      ///< per node, [0, 1]; or empty for 1 everywhere
+    const PoseLayout* layout = nullptr; ///< of the poses; only needed where they have morph weights
 
     /// Asserts that sizes agree and weights are in range.
     void validate() const;

@@ -55,7 +55,8 @@ struct ClipInterval {
     double to = 0.0;
     bool includes_from = false;
     bool includes_to = false;
-    double cycle = 0.0; ///< of the PlaybackPlace
+    double cycle = 0.0;  ///< of the PlaybackPlace
+    bool forward = true; ///< of the PlaybackPlace: whether clip time increases
 
     /// Whether the moment lies in it.
     [[nodiscard]] bool contains(double time) const;
@@ -79,11 +80,10 @@ public:
     static constexpr double most_cycles = 1000.0;
 
 private:
-    void first_interval();
-
     Playback playback_;
-    PlaybackPlace at_;
+    PlaybackPlace start_;
     PlaybackPlace end_;
+    double cycle_ = 0.0; ///< the next one to give
     bool includes_start_ = false;
     bool done_ = false;
     ClipInterval interval_;

@@ -16,7 +16,7 @@ struct SampleCache {
     struct Place {
         std::uint32_t key = 0;   ///< the last key at or before the moment; 0 before the first
         float fraction = 0.0f;   ///< [0, 1] of the way to the next key; 0 before the first key and after the last
-        float key_length = 0.0f; ///< seconds to the next key
+        double key_length = 0.0; ///< seconds to the next key
     };
     std::vector<Place> places;        ///< per KeyTimes of the clip
     std::uint64_t keys_looked_at = 0; ///< in all: what searching has cost
