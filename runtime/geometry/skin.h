@@ -31,8 +31,9 @@ struct VertexRange {
 /// several threads may each run a job over a range of their own (see `skin_in_parallel`). Outputs may not overlap
 /// inputs. Allocates nothing.
 ///
-/// Normals take the cofactors of the blended 3x3, which is right for scale, shear and mirroring and stays defined where
-/// a joint flattens. A normal that has no direction left (a collapse) stays the rest pose's. Tangents are transported
+/// Normals take the cofactors of the blended 3x3, which is right for scale and shear and stays defined where a joint
+/// flattens; where it mirrors they still point outwards (glTF turns the winding there). A normal that has no direction
+/// left (a collapse) stays the rest pose's. Tangents are transported
 /// by the 3x3 and made perpendicular to the normal; their w turns where the mesh is mirrored. Nothing is ever NaN.
 struct SkinJob {
     SkinMethod method = SkinMethod::linear;
