@@ -66,6 +66,9 @@ private:
         return std::tuple(p.x, p.y, p.z, n.x, n.y, n.z, t.x, t.y);
     }
 
+    /// Unit as exactly as double has it.
+    [[nodiscard]] glm::dvec3 normal(std::uint32_t v) const { return direction(glm::dvec3(normals_[v])); }
+
     /// Sums are kept at the first of the vertices with the same attributes: how a file shares vertices does not count.
     void weld_vertices() {
         std::vector<std::uint32_t> order(positions_.size());
@@ -105,7 +108,7 @@ private:
 
     void add_corner(const TexturedTriangle& triangle, std::size_t face, std::size_t k) {
         const std::uint32_t vertex = indices_[3 * face + k];
-        const glm::dvec3 p(positions_[vertex]), n(normals_[vertex]);
+        const glm::dvec3 p(positions_[vertex]), n = normal(vertex);
         const auto flat = [&](const glm::dvec3& v) { return projected(v, n); };
         const glm::dvec3 a = flat(glm::dvec3(positions_[indices_[3 * face + (k + 1) % 3]]) - p);
         const glm::dvec3 b = flat(glm::dvec3(positions_[indices_[3 * face + (k + 2) % 3]]) - p);
@@ -149,9 +152,9 @@ private:
     }
 
     [[nodiscard]] glm::vec4 tangent_of(std::uint32_t vertex, std::uint8_t side) const {
-        const glm::dvec3 sum = direction(sums_[weld_[vertex]][side]);
-        const glm::dvec3 tangent = sum != glm::dvec3(0.0) ? sum : perpendicular(glm::dvec3(normals_[vertex]));
-        return {glm::vec3(tangent), handedness[side]};
+        // Projected again: where tangents nearly cancel, what is left is as large as the rounding of each.
+        const glm::dvec3 n = normal(vertex), mean = projected(sums_[weld_[vertex]][side], n);
+        return {glm::vec3(mean != glm::dvec3(0.0) ? mean : perpendicular(n)), handedness[side]};
     }
 
     std::span<const glm::vec3> positions_;
