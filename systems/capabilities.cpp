@@ -10,6 +10,7 @@
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/transform/transform.h>
+#include <hachure/systems/velocity/velocity.h>
 
 namespace hachure {
 
@@ -24,6 +25,7 @@ void register_capabilities(App& app) {
     register_gooch(app);
     register_edge_lines(app);
     register_compose(app);
+    register_velocity(app);
 }
 
 } // namespace hachure
