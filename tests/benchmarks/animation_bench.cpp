@@ -5,6 +5,7 @@
 #include <hachure/components/animation.h>
 #include <hachure/components/transform.h>
 #include <hachure/runtime/assets/read_model.h>
+#include <hachure/runtime/geometry/bounds.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/renderer.h>
 #include <hachure/systems/animation/animation.h>
@@ -125,7 +126,7 @@ public:
     }
 
     /// Of the last frame.
-    double system_ms(std::string_view name) const {
+    double system_ms(std::string_view name) {
         for (const SystemTime& time : app_.schedule().times())
             if (time.name == name) return time.ms;
         return 0.0;
