@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hachure/runtime/geometry/bounds.h>
+#include <hachure/runtime/geometry/skin_palette.h>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -17,6 +18,8 @@ struct Deformed {
     std::vector<glm::vec3> normals;  ///< unit
     std::vector<glm::vec4> tangents; ///< empty where the mesh has none
     geometry::Bounds bounds;
+    std::vector<geometry::JointMatrix> palette; ///< what its skin did, for what is carried along; empty without one
+    std::vector<geometry::JointMotion> motions; ///< the same as motions, with dual quaternions
     std::uint64_t version = 0; ///< another one whenever the shape is; no two shapes of a world share one
 };
 

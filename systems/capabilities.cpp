@@ -4,6 +4,7 @@
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/systems/compose/compose.h>
+#include <hachure/systems/curvature/curvature.h>
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
@@ -19,6 +20,7 @@ void register_capabilities(App& app) {
     register_transform(app);
     register_animation(app);
     register_deform(app);
+    register_curvature(app);
     register_camera(app);
     register_light(app);
     register_surface(app);

@@ -114,6 +114,8 @@ geometry::Bounds ShapeUpdate::run_skin(geometry::VertexRange range) {
 
 void ShapeUpdate::finish(std::uint64_t version) {
     shape_->bounds = joined(bounds_);
+    shape_->palette = state_->palette;
+    shape_->motions = state_->motions;
     shape_->version = version;
     if (state_->settings.normals == DeformedNormals::blended) return;
     geometry::SmoothNormalsJob& job = state_->normals;

@@ -5,6 +5,7 @@
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/systems/compose/compose.h>
+#include <hachure/systems/curvature/curvature.h>
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
@@ -60,7 +61,7 @@ constexpr Capability capabilities[] = {
     {"transform", register_transform}, {"camera", register_camera},       {"light", register_light},
     {"surface", register_surface},     {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
     {"compose", register_compose},     {"animation", register_animation}, {"deform", register_deform},
-    {"velocity", register_velocity},
+    {"velocity", register_velocity},   {"curvature", register_curvature},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
