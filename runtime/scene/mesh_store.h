@@ -85,6 +85,7 @@ public:
         return textures_.at(static_cast<std::size_t>(index));
     }
     [[nodiscard]] std::size_t mesh_count() const { return meshes_.size(); }
+    [[nodiscard]] std::size_t texture_count() const { return textures_.size(); }
 
 private:
     std::deque<SurfaceMesh> meshes_;
