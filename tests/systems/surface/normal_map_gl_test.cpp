@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "../../support/drawn_scene.h"
@@ -253,6 +254,16 @@ TEST_P(NormalMapTest, GoochShadesWithTheMappedNormal) {
         const glm::dvec3 color = texel(mapped, pixel, side / 2);
         EXPECT_LT(glm::length(color - texel(expected, pixel, side / 2)), 1e-4) << pixel;
         EXPECT_GT(glm::length(color - texel(unmapped, pixel, side / 2)), 0.02) << pixel;
+    }
+}
+
+TEST_P(NormalMapTest, NoScaleMakesNormalsThatAreNone) {
+    for (const float scale : {1e6f, 1e30f, -std::numeric_limits<float>::infinity()}) {
+        const assets::Image image = draw_normals(context(), model_of({.scale = scale}));
+        for (int i = 0; i < side; ++i) {
+            if (std::abs(coordinate(i)) > 0.98) continue;
+            EXPECT_NEAR(glm::length(texel(image, i, side / 2)), 1.0, 1e-5) << scale;
+        }
     }
 }
 
