@@ -3,6 +3,7 @@
 #include <hachure/runtime/geometry/normals.h>
 #include <hachure/runtime/geometry/tangents.h>
 
+#include <cmath>
 #include <utility>
 
 namespace hachure::assets {
@@ -55,7 +56,10 @@ void complete_tangents(Primitive& primitive, const TextureUse& normal_map) {
     std::vector<glm::vec2> texcoords = primitive.texcoords[normal_map.texcoord];
     if (!primitive.tangents.empty() || texcoords.empty()) return;
     const glm::mat3x2 transform = texcoord_transform(normal_map.offset, normal_map.scale, normal_map.rotation);
-    for (glm::vec2& texcoord : texcoords) texcoord = transform * glm::vec3(texcoord, 1.0f);
+    for (glm::vec2& texcoord : texcoords) {
+        texcoord = transform * glm::vec3(texcoord, 1.0f);
+        if (!std::isfinite(texcoord.x) || !std::isfinite(texcoord.y)) texcoord = glm::vec2(0.0f); // a file's 1e38
+    }
     geometry::ComputedTangents computed =
         geometry::vertex_tangents(primitive.positions, primitive.normals, texcoords, primitive.indices);
     take_vertices(primitive, computed.source);

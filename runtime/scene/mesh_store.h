@@ -108,6 +108,7 @@ public:
     }
     [[nodiscard]] const SkinBinding& skin(std::uint32_t index) const { return skins_.at(index); }
     [[nodiscard]] std::size_t mesh_count() const { return meshes_.size(); }
+    [[nodiscard]] std::size_t texture_count() const { return textures_.size(); }
 
 private:
     std::deque<SurfaceMesh> meshes_;

@@ -8,6 +8,9 @@
 namespace hachure {
 namespace {
 
+/// Beyond it nothing of the surface's own normal is left, and the shader's floats would overflow some day.
+constexpr float max_normal_scale = 1e6f;
+
 /// Grey pictures are height maps, or a mistake: they hold no directions.
 void check_channels(const assets::Image& image, ColorSpace color_space, const std::string& name) {
     if (image.type != assets::PixelType::u8) throw Error(name, "is not an 8-bit image");
@@ -59,7 +62,7 @@ SurfaceMaterial SurfaceMaterials::get(std::int32_t index) {
     result.uv_scale = color.scale;
     result.uv_rotation = color.rotation;
     result.normal_texture = texture(normal.texture, ColorSpace::linear);
-    result.normal_scale = material.normal_scale;
+    result.normal_scale = std::clamp(material.normal_scale, -max_normal_scale, max_normal_scale);
     result.normal_uv_offset = normal.offset;
     result.normal_uv_scale = normal.scale;
     result.normal_uv_rotation = normal.rotation;

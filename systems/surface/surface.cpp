@@ -144,9 +144,11 @@ void register_surface(App& app) {
     world.set_resource(DrawClaims{});
     std::vector<AovInfo>& aovs = frame_requests(world).known;
     aovs.push_back({"color", "the picture in linear RGB, before it is encoded; not clamped", {"R", "G", "B"}});
-    aovs.push_back({"normal",
-                    "unit surface normal in the world, on the side that is seen; 0 where nothing is drawn",
-                    {"normal.X", "normal.Y", "normal.Z"}});
+    aovs.push_back(
+        {"normal",
+         "unit surface normal in the world, with the normal map's relief, on the side that is seen; 0 where nothing is "
+         "drawn",
+         {"normal.X", "normal.Y", "normal.Z"}});
     aovs.push_back(
         {"object_id", "1 for the surface entity made first, and so on; 0 where nothing is drawn", {"object_id"}});
     app.add_system(Stage::material, "surface.collect", CollectSurfaces{});

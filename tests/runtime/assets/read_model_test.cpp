@@ -6,6 +6,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace hachure::assets {
 namespace {
 
@@ -136,6 +139,9 @@ TEST(CompleteTangents, FollowTheTransformOfTheMap) {
     EXPECT_NEAR(turned.x, std::cos(0.5f), 1e-6f);
     EXPECT_NEAR(turned.y, -std::sin(0.5f), 1e-6f);
     EXPECT_EQ(turned.w, 1.0f);
+    for (const float huge : {std::numeric_limits<float>::max(), std::numeric_limits<float>::infinity()})
+        EXPECT_NEAR(glm::length(glm::vec3(tangent({.offset = {huge, 0}, .scale = {huge, huge}, .rotation = huge}))),
+                    1.0f, 1e-6f);
 }
 
 TEST(CompleteTangents, LeavesGivenTangentsAndUntexturedPrimitivesAlone) {
