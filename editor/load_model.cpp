@@ -1,3 +1,4 @@
+#include <hachure/components/animation.h>
 #include <hachure/editor/load_model.h>
 #include <hachure/runtime/app/log.h>
 #include <hachure/runtime/error.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hachure {
 
@@ -20,9 +22,22 @@ bool fits(const glm::vec3& point) {
            std::abs(point.z) <= largest_coordinate;
 }
 
+/// A model that moves: from the pose of the clip's start, without a fade to it.
+void play(World& world, const SpawnedModel& spawned, const std::filesystem::path& file, std::string clip) {
+    if (clip.empty() && spawned.clips.empty()) return;
+    if (clip.empty()) clip = spawned.clips.front();
+    if (std::ranges::find(spawned.clips, clip) == spawned.clips.end()) {
+        std::string names;
+        for (const std::string& name : spawned.clips) names += (names.empty() ? "" : ", ") + name;
+        throw Error(file.string(), "has no clip '" + clip + "'", names.empty() ? "it has none" : "there are " + names);
+    }
+    world.add(spawned.root, Animation{.clip = std::move(clip)});
+}
+
 } // namespace
 
-void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas) {
+void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas,
+                const std::optional<std::string>& clip) {
     World& world = app.world();
     world.set_resource(canvas);
     const SpawnedModel spawned = spawn_model(world, model);
@@ -31,6 +46,7 @@ void load_model(App& app, const assets::Model& model, const std::filesystem::pat
     if (spawned.points.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
     if (!std::ranges::all_of(spawned.points, fits))
         throw Error(file.string(), "is too large to be drawn: a vertex lies more than 1e15 m from the origin");
+    if (clip) play(world, spawned, file, *clip);
     if (spawned.cameras.empty()) spawn_framing_camera(world, spawned.points, canvas);
     if (spawned.lights.empty()) spawn_default_light(world);
 }

@@ -13,6 +13,7 @@
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/parallel.h>
+#include <hachure/runtime/scene/frame_requests.h>
 #include <hachure/runtime/scene/renderer.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/capabilities.h>
@@ -85,8 +86,10 @@ void check_size(Canvas canvas, const gpu::Context& context) {
 /// A whole scene, ready to be drawn.
 void load_scene(App& app, const RenderOptions& options, const assets::Model& model, const Style& style,
                 std::span<const Assignment> assignments, Canvas canvas) {
-    check_clip(model, options.input, options.clip);
-    load_model(app, model, options.input, canvas);
+    std::optional<std::string> clip;
+    // Who asks for a moment, or for many, wants to see what moves.
+    if (!options.clip.empty() || !options.frames.empty() || !options.time.empty()) clip = options.clip;
+    load_model(app, model, options.input, canvas, clip);
     apply_style(app.world(), app.types(), style);
     apply_assignments(app.world(), assignments);
 }
@@ -98,6 +101,9 @@ void draw_frames(App& app, Renderer& renderer, const FramePlan& plan, const Rend
     FrameOutput output(app, renderer, outputs, plan);
     std::vector<FrameStats> stats;
     const auto total = static_cast<std::size_t>(plan.count());
+    // Motion begins somewhere: the first frame's is that since the one before it.
+    if (plan.first > 0 && app.world().resource<FrameRequests>().wants("velocity"))
+        renderer.render_frame(seek(app, plan.seconds(plan.first - 1)));
     for (std::int64_t number = plan.first; number <= plan.last; ++number) {
         stop_when_interrupted();
         if (total > 1) progress.step(static_cast<std::size_t>(number - plan.first), total);
@@ -135,7 +141,8 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
     command
         ->add_option("--fps", options.fps, "frames per second, 1 to 1000: 25, 29.97, 30000/1001; a .gif's at most 50")
         ->capture_default_str();
-    command->add_option("--clip", options.clip, "NAME: the clip of the file that plays");
+    command->add_option("--clip", options.clip,
+                        "NAME: the clip of the file that plays (default with --frames or --time: its first)");
     command
         ->add_option("--aov", options.aovs,
                      "NAME=FILE.exr: also write a buffer of the frame (see `hachure list aovs`); with several frames "

@@ -49,19 +49,5 @@ TEST(PlaybackClock, SeeksFromWhereverItIs) {
     }
 }
 
-TEST(PlaybackClock, ClipsAreNamed) {
-    assets::Model model;
-    EXPECT_NO_THROW(check_clip(model, "a.glb", ""));
-    EXPECT_THROW(check_clip(model, "a.glb", "Walk"), Error);
-    model.animations = {{.name = "Walk", .channels = {}}, {.name = "Run", .channels = {}}};
-    EXPECT_NO_THROW(check_clip(model, "a.glb", "Run"));
-    try {
-        check_clip(model, "a.glb", "Fly");
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()), "a.glb: has no clip 'Fly' (there are Walk, Run)");
-    }
-}
-
 } // namespace
 } // namespace hachure
