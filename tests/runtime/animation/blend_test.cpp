@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace hachure::animation {
@@ -213,6 +214,20 @@ TEST(Masks, HoldABranch) {
     std::vector<float> mask = *make_mask(layout, "a");
     mask_branch(layout, 2, 0.0f, mask);
     EXPECT_EQ(mask, (std::vector<float>{1, 1, 0, 1, 0}));
+}
+
+TEST(Masks, AreQuickOnChainsOfAnyLength) {
+    PoseLayout layout;
+    const std::size_t nodes = 200'000;
+    for (std::size_t n = 0; n < nodes; ++n)
+        layout.parents.push_back(n + 1 < nodes ? static_cast<std::int32_t>(n + 1) : -1);
+    layout.names.assign(nodes, "n");
+    layout.first_weight.assign(nodes + 1, 0);
+    std::vector<float> mask(nodes, 0.0f);
+    mask_branch(layout, 100'000, 1.0f, mask);
+    EXPECT_EQ(std::ranges::count(mask, 1.0f), 100'001);
+    EXPECT_EQ(mask[100'000], 1.0f);
+    EXPECT_EQ(mask[100'001], 0.0f);
 }
 
 } // namespace
