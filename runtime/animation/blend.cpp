@@ -177,12 +177,18 @@ void AddPoseJob::run() {
 
 void mask_branch(const PoseLayout& layout, std::uint32_t node, float weight, std::span<float> mask) {
     HACHURE_ASSERT(mask.size() == layout.nodes() && node < layout.nodes(), "one weight per node");
-    // A node may stand before its parent, so each looks for the branch above it; the file's graph has no cycles.
+    // A node may stand before its parent, so each looks upwards until it meets one whose place is known.
+    enum : std::uint8_t { unknown, inside, outside };
+    std::vector<std::uint8_t> places(layout.nodes(), unknown);
+    places[node] = inside;
     for (std::size_t n = 0; n < layout.nodes(); ++n) {
-        auto above = static_cast<std::int32_t>(n);
-        while (above >= 0 && above != static_cast<std::int32_t>(node))
-            above = layout.parents[static_cast<std::size_t>(above)];
-        if (above >= 0) mask[n] = weight;
+        const auto parent = [&](std::int32_t of) { return layout.parents[static_cast<std::size_t>(of)]; };
+        auto top = static_cast<std::int32_t>(n);
+        while (top >= 0 && places[static_cast<std::size_t>(top)] == unknown) top = parent(top);
+        const std::uint8_t place = top < 0 ? std::uint8_t{outside} : places[static_cast<std::size_t>(top)];
+        for (auto at = static_cast<std::int32_t>(n); at != top; at = parent(at))
+            places[static_cast<std::size_t>(at)] = place;
+        if (places[n] == inside) mask[n] = weight;
     }
 }
 

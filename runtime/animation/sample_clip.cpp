@@ -80,7 +80,7 @@ struct Keys {
     Keys(const Clip& clip, const Track& which, const Place& where) : place(where), track(which) {
         const KeyTimes& table = clip.key_times[which.key_times];
         now = clip.values.data() + table.first_value + static_cast<std::size_t>(where.key) * table.row + which.column;
-        next = now + table.row; // only looked at when the fraction is not 0: then there is one
+        next = where.fraction == 0.0f ? now : now + table.row;
     }
 
     /// Component i between the keys.
