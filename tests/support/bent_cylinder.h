@@ -62,7 +62,7 @@ struct BentCylinder {
 /// A mesh of that cylinder at rest, without its ends, with what the jobs need to bend it. Vertex numbers run around
 /// first; every second triangle of a row is cut the other way, so that no direction is favoured.
 struct CylinderMesh {
-    std::uint32_t around, along; ///< vertices on a ring, rings
+    std::uint32_t around, along; ///< vertices on a ring, rings (an odd number: one runs between the bones)
     std::vector<glm::vec3> positions, normals;
     std::vector<std::uint32_t> indices, weld;
     geometry::SkinWeights weights;
@@ -85,7 +85,8 @@ struct CylinderMesh {
 
 inline CylinderMesh::CylinderMesh(std::uint32_t slices)
     : around(slices),
-      along(1 + static_cast<std::uint32_t>(std::round(slices * BentCylinder::half_length / std::numbers::pi))) {
+      along(1 +
+            2 * static_cast<std::uint32_t>(std::round(slices * BentCylinder::half_length / (2 * std::numbers::pi)))) {
     std::vector<glm::u16vec4> joints;
     std::vector<glm::vec4> upper;
     for (std::uint32_t v = 0; v < around * along; ++v) {

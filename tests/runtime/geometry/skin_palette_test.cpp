@@ -11,9 +11,7 @@
 namespace hachure::geometry {
 namespace {
 
-glm::dmat3 rotation(const JointMotion& m) {
-    return glm::mat3_cast(glm::dquat(m.real.w, m.real.x, m.real.y, m.real.z));
-}
+glm::dmat3 rotation(const JointMotion& m) { return glm::mat3_cast(glm::dquat(m.real.w, m.real.x, m.real.y, m.real.z)); }
 
 glm::dmat3 stretch(const JointMotion& m) {
     const glm::dvec4 d(m.stretch0), o(m.stretch1);
@@ -32,9 +30,9 @@ double decomposition_error(const glm::dmat4& matrix) {
 
 TEST(SkinPalette, MotionsAreTheMatrixAgain) {
     std::mt19937 random(1);
-    const glm::dvec3 scales[] = {{1, 1, 1}, {2, 2, 2},  {1, 2, 3},  {-1, 1, 1}, {-1, -1, -1}, {-2, 3, 0.5},
-                                 {1, 1, 0}, {1, 0, 0},  {0, 0, 0},  {-1, 1, 0}, {1, 1, 1e-9}, {-1, -1, 1},
-                                 {1, 1, 2}, {1e-6, 1, 1}};
+    const glm::dvec3 scales[] = {{1, 1, 1},    {2, 2, 2},   {1, 2, 3}, {-1, 1, 1},  {-1, -1, -1},
+                                 {-2, 3, 0.5}, {1, 1, 0},   {1, 0, 0}, {0, 0, 0},   {-1, 1, 0},
+                                 {1, 1, 1e-9}, {-1, -1, 1}, {1, 1, 2}, {1e-6, 1, 1}};
     for (const glm::dvec3& scale : scales)
         for (int i = 0; i < 20; ++i) {
             const glm::dmat4 a = reference::random_rigid(random), b = reference::random_rigid(random);

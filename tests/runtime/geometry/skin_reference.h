@@ -65,8 +65,7 @@ inline glm::dvec3 point(const glm::dmat4& m, const glm::dvec3& p) { return {m * 
 
 inline glm::dmat4 random_rigid(std::mt19937& random, double reach = 1.0) {
     std::normal_distribution<double> normal;
-    const glm::dquat q =
-        glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random)));
+    const glm::dquat q = glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random)));
     const glm::dvec3 t(normal(random), normal(random), normal(random));
     return glm::translate(glm::dmat4(1.0), reach * t) * glm::mat4_cast(q);
 }

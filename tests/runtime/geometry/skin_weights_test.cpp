@@ -27,8 +27,8 @@ std::vector<std::pair<std::uint32_t, float>> influences(const SkinWeights& packe
 
 TEST(SkinWeights, TheMostSignificantComeFirst) {
     const SkinWeights packed = pack_one({3, 1, 4, 5}, {0.125f, 0.5f, 0.25f, 0.125f});
-    EXPECT_THAT(influences(packed, 0), ElementsAre(std::pair(1u, 0.5f), std::pair(4u, 0.25f), std::pair(3u, 0.125f),
-                                                   std::pair(5u, 0.125f)));
+    EXPECT_THAT(influences(packed, 0),
+                ElementsAre(std::pair(1u, 0.5f), std::pair(4u, 0.25f), std::pair(3u, 0.125f), std::pair(5u, 0.125f)));
     EXPECT_FALSE(packed.repairs().any());
 }
 
@@ -66,7 +66,8 @@ TEST(SkinWeights, WhatIsWrongIsLeftOutAndCounted) {
     EXPECT_EQ(packed.repairs().non_finite, 1u);
     EXPECT_EQ(packed.repairs().without_weight, 0u);
     EXPECT_EQ(pack_one({1, 9999, 3, 4}, {1.0f, 0.0f, 0.0f, 0.0f}).repairs().any(), false); // unused: no harm
-    EXPECT_THAT(skin_weight_warnings(packed.repairs(), "Fox"), testing::Contains(HasSubstr("Fox: 1 vertices have neg")));
+    EXPECT_THAT(skin_weight_warnings(packed.repairs(), "Fox"),
+                testing::Contains(HasSubstr("Fox: 1 vertices have neg")));
     EXPECT_EQ(skin_weight_warnings(packed.repairs(), "Fox").size(), 4u);
 }
 
