@@ -35,6 +35,9 @@ bool ModelPlayer::advance(const PlayRequest& request, const ModelClips& clips, d
     set_root_motion(request.root_motion, clips, warnings);
     bool moved = request.states ? advance_states(*request.states, request.animation, clips, delta)
                                 : advance_animation(*request.animation, clips, delta, warnings);
+    // What stands still has passed nothing, however often layers over it are shown anew.
+    if (!moved)
+        for (ClipSource& source : mix.sources) source.previous = source.time;
     const bool paused = request.animation && !request.animation->playing;
     const AnimationLayers none;
     moved |= advance_layers(request.layers ? *request.layers : none, clips, paused ? 0.0 : delta, warnings);

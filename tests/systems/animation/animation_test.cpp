@@ -191,6 +191,21 @@ TEST_F(AnimationTest, EventsAreSentOnce) {
     EXPECT_EQ(steps, "lrlrl");
 }
 
+TEST_F(AnimationTest, WhatIsPausedPassesNothingThoughLayersChange) {
+    play("walk");
+    world().add(model.root, RootMotion{.joint = "shoulder"});
+    world().add(model.root, AnimationLayers{{{.clip = "bend", .weight = 0.5f}}});
+    app.run_frame(0.5);
+    animation().playing = false;
+    app.run_frame(0.5);
+    for (const float weight : {0.6f, 0.7f}) {
+        world().get_mutable<AnimationLayers>(model.root).layers[0].weight = weight;
+        app.run_frame(0.5);
+        EXPECT_EQ(counts().models, 1u);
+        EXPECT_NEAR(world().get<Transform>(model.root).translation.x, 1.0, 1e-5);
+    }
+}
+
 TEST_F(AnimationTest, CopiesPlayOnTheirOwn) {
     play("bend");
     const Entity copy = world().instantiate(model.root);
