@@ -36,7 +36,9 @@ void ClipMix::run(const ModelClips& clips) {
         std::vector<animation::BlendLayer> blended;
         for (std::size_t i = 0; i < sources.size(); ++i)
             blended.push_back({.pose = std::as_const(poses_[i]).span(), .weight = sources[i].weight});
-        animation::BlendPosesJob{.layers = blended, .rest = clips.rest.span(), .out = pose.span()}.run();
+        animation::BlendPosesJob{
+            .layers = blended, .rest = clips.rest.span(), .out = pose.span(), .layout = &clips.set.layout}
+            .run();
     }
     lay_over(clips);
 }
@@ -91,13 +93,15 @@ void ClipMix::lay_over(const ModelClips& clips) {
                                   .source = std::as_const(layer_pose_).span(),
                                   .reference = std::as_const(reference_).span(),
                                   .weight = layer.source.weight,
-                                  .mask = layer.mask}
+                                  .mask = layer.mask,
+                                  .layout = &clips.set.layout}
                 .run();
         } else {
             animation::OverlayPoseJob{.pose = pose.span(),
                                       .over = std::as_const(layer_pose_).span(),
                                       .weight = layer.source.weight,
-                                      .mask = layer.mask}
+                                      .mask = layer.mask,
+                                      .layout = &clips.set.layout}
                 .run();
         }
     }
