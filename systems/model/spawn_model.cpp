@@ -47,10 +47,16 @@ Light light_component(const assets::Light& light) {
     return result;
 }
 
+/// The world's R, made when absent.
+template <class R> R& resource_of(World& world) {
+    if (!world.find_resource<R>()) world.set_resource(R{});
+    return world.resource_mutable<R>();
+}
+
 class Spawner {
 public:
     Spawner(World& world, const Model& model)
-        : world_(world), model_(model), matrices_(node_matrices(model)), store_(world.resource_mutable<MeshStore>()),
+        : world_(world), model_(model), matrices_(node_matrices(model)), store_(resource_of<MeshStore>(world)),
           materials_(model, store_, result_.warnings), nodes_(model.nodes.size(), Entity::null),
           morphs_(model.nodes.size(), Entity::null), surfaces_(model.nodes.size(), Entity::null) {}
 
@@ -105,7 +111,7 @@ private:
         for (std::size_t clip = 0; clip < clips.set.clips.size(); ++clip)
             bind_pointers(clips.set.clips[clip], static_cast<std::uint32_t>(clip), owners, rig.pointers,
                           result_.warnings);
-        rig.clips = world_.resource_mutable<ClipStore>().add(std::move(clips));
+        rig.clips = resource_of<ClipStore>(world_).add(std::move(clips));
         world_.add(result_.root, std::move(rig));
     }
 

@@ -233,6 +233,9 @@ TEST_F(AnimationTest, APoseDoesNotDependOnTheFramesBefore) {
 }
 
 TEST_F(AnimationTest, PointersMoveCamerasLightsAndVisibility) {
+    app.add_component<Camera>();
+    app.add_component<Light>();
+    app.add_component<Surface>();
     assets::Model lit = arm_model();
     lit.cameras.push_back({.name = "camera", .yfov = 0.5f});
     lit.lights.push_back({.name = "lamp"});
