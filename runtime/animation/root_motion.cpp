@@ -63,9 +63,11 @@ RigidMotion inverse(const RigidMotion& motion) {
 
 RigidMotion repeated(const RigidMotion& motion, double count) {
     RigidMotion power = count < 0.0 ? inverse(motion) : motion, result;
-    for (double left = std::abs(count); left >= 1.0; left = std::floor(left / 2.0)) {
+    double left = std::abs(count);
+    while (left >= 1.0) {
         if (std::fmod(left, 2.0) >= 1.0) result = result * power;
         power = power * power;
+        left = std::floor(left / 2.0);
     }
     return result;
 }
