@@ -73,11 +73,13 @@ FieldValue field_value(const FieldValue& like, std::span<const float> values) {
     return double{values[0]};
 }
 
-void write_pose(const Rig& rig, const animation::PoseLayout& layout, ModelPlayer& player, const Targets& targets) {
+/// Nodes that no clip moves are left to whoever else does.
+void write_pose(const Rig& rig, const ModelClips& clips, ModelPlayer& player, const Targets& targets) {
+    const animation::PoseLayout& layout = clips.set.layout;
     const animation::Pose& pose = player.mix.pose;
     const bool first = player.shown.joints.empty();
     for (std::size_t node = 0; node < pose.joints.size(); ++node) {
-        if (!first && pose.joints[node] == player.shown.joints[node]) continue;
+        if (!clips.animated[node] || (!first && pose.joints[node] == player.shown.joints[node])) continue;
         const auto found = targets.places.find(rig.nodes[node]);
         if (!found) continue;
         Transform& transform = std::get<Transform&>(*found);
@@ -173,7 +175,7 @@ private:
     /// The new pose, and how far the components have come.
     static void write(const Active& active, const Targets& targets) {
         ModelPlayer& player = *active.player;
-        write_pose(*active.rig, active.clips->set.layout, player, targets);
+        write_pose(*active.rig, *active.clips, player, targets);
         write_pointers(*active.rig, *active.clips, player, targets);
         move_model(active.entity, active.clips->set.layout, player, targets);
         if (active.request.states)

@@ -56,7 +56,7 @@ template <class R> R& resource_of(World& world) {
 class Spawner {
 public:
     Spawner(World& world, const Model& model)
-        : world_(world), model_(model), matrices_(node_matrices(model)), store_(resource_of<MeshStore>(world)),
+        : world_(world), model_(model), matrices_(node_matrices(model.nodes)), store_(resource_of<MeshStore>(world)),
           materials_(model, store_, result_.warnings), nodes_(model.nodes.size(), Entity::null),
           morphs_(model.nodes.size(), Entity::null), surfaces_(model.nodes.size(), Entity::null) {}
 
@@ -76,6 +76,7 @@ public:
         }
         for (const auto& [entity, skin] : skinned_) world_.add(entity, skin_component(skin));
         add_rig();
+        result_.points = scene_points(model_, model_.nodes);
         return std::move(result_);
     }
 
@@ -140,7 +141,6 @@ private:
         if (store_.mesh(mesh).deforms()) world_.add(entity, Deform{});
         result_.surfaces.push_back(entity);
         surfaces_[index] = entity;
-        add_points(node, index);
     }
 
     MorphWeights morph_weights(const Node& node, std::size_t targets) const {
@@ -163,16 +163,6 @@ private:
         if (fresh) entry->second = store_.add(std::move(binding));
         result.binding = entry->second;
         return result;
-    }
-
-    void add_points(const Node& node, std::size_t index) {
-        const glm::mat4 matrix = node.skin >= 0 ? glm::mat4(1.0f) : matrices_[index];
-        for (const assets::Primitive& primitive : rest_pose(model_, node, matrices_)) {
-            std::vector<bool> used(primitive.positions.size(), false);
-            for (const std::uint32_t i : primitive.indices) used[i] = true;
-            for (std::size_t i = 0; i < used.size(); ++i)
-                if (used[i]) result_.points.push_back(glm::vec3(matrix * glm::vec4(primitive.positions[i], 1.0f)));
-        }
     }
 
     /// Nodes share the vertices of a mesh, and those that skin it alike its weights.

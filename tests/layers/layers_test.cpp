@@ -36,7 +36,7 @@ const std::map<std::string, std::set<std::string>> allowed_modules{
     {"assets", {"geometry"}},
     {"animation", {"assets"}},
     {"app", {"ecs"}},
-    {"scene", {"ecs", "gpu", "geometry", "assets", "app"}},
+    {"scene", {"ecs", "gpu", "geometry", "assets", "animation", "app"}},
 };
 
 TEST(Layers, IncludesGoOnlyToTheLeft) {

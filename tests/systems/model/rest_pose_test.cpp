@@ -49,7 +49,7 @@ Model two_joints() {
 
 TEST(RestPose, SkinsWithTheJointsWhereTheNodesPutThem) {
     const Model model = two_joints();
-    const std::vector<Primitive> posed = rest_pose(model, model.nodes[3], node_matrices(model));
+    const std::vector<Primitive> posed = rest_pose(model, model.nodes[3], node_matrices(model.nodes));
     const glm::dmat4 joint0 = matrix_of(model.nodes[0]) * glm::dmat4(model.skins[0].inverse_bind[0]);
     const glm::dmat4 joint1 =
         matrix_of(model.nodes[0]) * matrix_of(model.nodes[1]) * glm::dmat4(model.skins[0].inverse_bind[1]);
@@ -74,13 +74,13 @@ TEST(RestPose, AVertexWithoutWeightStays) {
     Model model = two_joints();
     model.meshes[0].primitives[0].weights[0][4] = glm::vec4(0.0f);
     const glm::vec3 before = model.meshes[0].primitives[0].positions[4];
-    EXPECT_EQ(rest_pose(model, model.nodes[3], node_matrices(model))[0].positions[4], before);
+    EXPECT_EQ(rest_pose(model, model.nodes[3], node_matrices(model.nodes))[0].positions[4], before);
 }
 
 TEST(RestPose, AFlattenedJointKeepsFiniteNormals) {
     Model model = two_joints();
     model.nodes[0].scale = {1, 0, 1};
-    const std::vector<Primitive> posed = rest_pose(model, model.nodes[3], node_matrices(model));
+    const std::vector<Primitive> posed = rest_pose(model, model.nodes[3], node_matrices(model.nodes));
     for (const glm::vec3& normal : posed[0].normals) EXPECT_NEAR(glm::length(normal), 1.0f, 1e-5f);
 }
 
@@ -100,8 +100,8 @@ TEST(RestPose, MorphsBeforeItSkinsAndTheNodesWeightsGoBeforeTheMeshs) {
             by_hand.positions[i] = primitive.positions[i] + weight * target.positions[i];
             by_hand.tangents[i] = primitive.tangents[i] + glm::vec4(weight * target.tangents[i], 0.0f);
         }
-        const Primitive got = rest_pose(model, model.nodes[3], node_matrices(model))[0];
-        const Primitive wanted = rest_pose(moved, moved.nodes[3], node_matrices(moved))[0];
+        const Primitive got = rest_pose(model, model.nodes[3], node_matrices(model.nodes))[0];
+        const Primitive wanted = rest_pose(moved, moved.nodes[3], node_matrices(moved.nodes))[0];
         for (std::size_t i = 0; i < got.positions.size(); ++i) {
             EXPECT_LT(glm::distance(got.positions[i], wanted.positions[i]), 1e-5f);
             EXPECT_LT(glm::distance(got.tangents[i], wanted.tangents[i]), 1e-5f);
@@ -112,7 +112,7 @@ TEST(RestPose, MorphsBeforeItSkinsAndTheNodesWeightsGoBeforeTheMeshs) {
 TEST(NodeMatrices, FollowTheTreeAndItsMatrices) {
     Model model = two_joints();
     model.nodes[2].matrix = glm::mat4(1, 0, 0, 0, 0.5f, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1); // sheared
-    const std::vector<glm::mat4> matrices = node_matrices(model);
+    const std::vector<glm::mat4> matrices = node_matrices(model.nodes);
     const glm::dmat4 wanted =
         matrix_of(model.nodes[0]) * matrix_of(model.nodes[1]) * glm::dmat4(*model.nodes[2].matrix);
     for (int i = 0; i < 4; ++i) EXPECT_LT(glm::distance(glm::dvec4(matrices[2][i]), wanted[i]), 1e-5);
