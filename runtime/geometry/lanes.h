@@ -115,14 +115,19 @@ HACHURE_INLINE Lanes dot(const Lanes (&a)[3], const Lanes (&b)[3]) { return a[0]
 HACHURE_INLINE Lanes least(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
 HACHURE_INLINE Lanes greatest(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
 
-/// 1 / sqrt(x) of normal numbers above zero, to the last bit or two: a guess from the exponent and three steps of
-/// Newton. No instruction for it exists on all machines, and std::sqrt sets errno, which keeps it out of vectors.
+/// 1 / sqrt(x) of normal numbers above zero, to the last bit or two: a guess and steps of Newton. The guess is an
+/// instruction's 14 bits or, where there is none, comes from the exponent; std::sqrt sets errno, which keeps it out of
+/// vectors.
 HACHURE_INLINE Lanes inverse_root(const Lanes& x) {
+    const Lanes half = 0.5f * x;
+#if HACHURE_LANES == 16
+    Lanes y = _mm512_maskz_rsqrt14_ps(0xffff, x); // the plain form warns under g++ 12
+#else
     const Bits guess = 0x5f375a86 - (reinterpret_cast<Bits>(x) >> 1);
     Lanes y = reinterpret_cast<Lanes>(guess);
-    const Lanes half = 0.5f * x;
     y = y * (1.5f - half * y * y);
     y = y * (1.5f - half * y * y);
+#endif
     return y * (1.5f - half * y * y);
 }
 

@@ -149,9 +149,8 @@ HACHURE_INLINE void transform_positions(const Matrices& m, const Block& block, L
 
 /// Transforms normals by the cofactors, which stay where the matrix flattens, and turns them outwards again where it
 /// mirrors; returns which lanes do.
-HACHURE_INLINE Bits transform_normals(const Matrices& m, const Block& block, Lanes (&unit)[3]) {
-    Lanes n[3], out[3], size = all(0.0f), determinant = all(0.0f);
-    load3(block.rest_normals, n);
+HACHURE_INLINE Bits transform_normals(const Matrices& m, const Lanes (&n)[3], const Block& block, Lanes (&unit)[3]) {
+    Lanes out[3], size = all(0.0f), determinant = all(0.0f);
     for (int r = 0; r < 3; ++r) {
         const Lanes(&a)[4] = m.row[(r + 1) % 3], (&b)[4] = m.row[(r + 2) % 3];
         const Lanes cofactors[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -275,10 +274,12 @@ template <bool dual_quaternion, class Joint, int influences>
         blend_matrices<Joint, influences>(palette, joints, block.weights, blended);
         turn_around(blended, matrices);
     }
+    if (!block.normals) return transform_positions(matrices, block, box.low, box.high);
+    // Arrays of one size often begin at one place within a page; what is read after a write there waits for it.
+    Lanes rest[3], normal[3];
+    load3(block.rest_normals, rest);
     transform_positions(matrices, block, box.low, box.high);
-    if (!block.normals) return;
-    Lanes normal[3];
-    const Bits mirrors = transform_normals(matrices, block, normal);
+    const Bits mirrors = transform_normals(matrices, rest, block, normal);
     if (block.tangents) transform_tangents(matrices, block, normal, mirrors);
 }
 
