@@ -24,13 +24,32 @@ struct Block {
     float *positions, *normals, *tangents;
 };
 
+/// Where the palette entries of a vertex begin. Bytes are loaded four at a time and taken apart: loads are what the
+/// loop has most of.
+template <class Joint, int influences> HACHURE_INLINE void load_joints(const Joint* joints, long (&entry)[influences]) {
+    if constexpr (sizeof(Joint) == 1) {
+        for (int k = 0; k < influences; k += 4) {
+            unsigned int four;
+            __builtin_memcpy(&four, joints + k, sizeof four);
+            entry[k] = 16 * static_cast<long>(four & 255u);
+            entry[k + 1] = 16 * static_cast<long>(four >> 8 & 255u);
+            entry[k + 2] = 16 * static_cast<long>(four >> 16 & 255u);
+            entry[k + 3] = 16 * static_cast<long>(four >> 24);
+        }
+    } else {
+        for (int k = 0; k < influences; ++k) entry[k] = 16 * static_cast<long>(joints[k]);
+    }
+}
+
 /// sum of weight * palette entry; the first 12 floats.
 template <class Joint, int influences>
 HACHURE_INLINE void blend_matrices(const float* palette, const Joint* joints, const float* weights, Blended& out) {
     for (int v = 0; v < lane_count; ++v, joints += influences, weights += influences) {
 #if HACHURE_LANES == 16
-        Lanes sum = weights[0] * load(palette + 16 * static_cast<long>(joints[0]));
-        for (int k = 1; k < influences; ++k) sum += weights[k] * load(palette + 16 * static_cast<long>(joints[k]));
+        long entry[influences];
+        load_joints<Joint, influences>(joints, entry);
+        Lanes sum = weights[0] * load(palette + entry[0]);
+        for (int k = 1; k < influences; ++k) sum += weights[k] * load(palette + entry[k]);
         store(out.entry[v], sum);
 #else
         const float* entry = palette + 16 * static_cast<long>(joints[0]);
