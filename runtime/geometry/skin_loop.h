@@ -92,7 +92,10 @@ HACHURE_INLINE void blend_motions(const float* palette, const Joint* joints, con
 }
 
 HACHURE_INLINE void turn_around(const Blended& blended, Matrices& out) {
-    for (int r = 0; r < 3; ++r) load4(blended.entry[0] + 4 * r, 16, out.row[r]);
+    // No loop, here and below: compilers put arrays into registers before they unroll.
+    load4(blended.entry[0], 16, out.row[0]);
+    load4(blended.entry[0] + 4, 16, out.row[1]);
+    load4(blended.entry[0] + 8, 16, out.row[2]);
 }
 
 /// The matrix of a blended motion: rotation * stretch, and the translation 2 * dual * conjugate(real).
@@ -154,29 +157,43 @@ struct Scattered {
                             block.tangents + 4 * v);
 }
 
+template <int r>
+HACHURE_INLINE void transform_coordinate(const Matrices& m, const Lanes (&p)[3], Lanes (&out)[3], Lanes (&low)[3],
+                                         Lanes (&high)[3]) {
+    out[r] = m.row[r][0] * p[0] + m.row[r][1] * p[1] + m.row[r][2] * p[2] + m.row[r][3];
+    low[r] = least(low[r], out[r]);
+    high[r] = greatest(high[r], out[r]);
+}
+
 /// Transforms positions; widens the bounds.
 HACHURE_INLINE void transform_positions(const Matrices& m, const Block& block, Lanes (&low)[3], Lanes (&high)[3]) {
     Lanes p[3], out[3];
     load3(block.rest_positions, p);
-    for (int r = 0; r < 3; ++r) {
-        out[r] = m.row[r][0] * p[0] + m.row[r][1] * p[1] + m.row[r][2] * p[2] + m.row[r][3];
-        low[r] = least(low[r], out[r]);
-        high[r] = greatest(high[r], out[r]);
-    }
+    transform_coordinate<0>(m, p, out, low, high);
+    transform_coordinate<1>(m, p, out, low, high);
+    transform_coordinate<2>(m, p, out, low, high);
     store3(block.positions, out);
+}
+
+/// Row r of the cofactors times the normal; widens what the matrix's size is.
+template <int r>
+HACHURE_INLINE void transform_cofactors(const Matrices& m, const Lanes (&n)[3], Lanes (&out)[3], Lanes& size) {
+    const Lanes(&a)[4] = m.row[(r + 1) % 3], (&b)[4] = m.row[(r + 2) % 3];
+    out[r] =
+        (a[1] * b[2] - a[2] * b[1]) * n[0] + (a[2] * b[0] - a[0] * b[2]) * n[1] + (a[0] * b[1] - a[1] * b[0]) * n[2];
+    size += m.row[r][0] * m.row[r][0] + m.row[r][1] * m.row[r][1] + m.row[r][2] * m.row[r][2];
 }
 
 /// Transforms normals by the cofactors, which stay where the matrix flattens, and turns them outwards again where it
 /// mirrors; returns which lanes do.
 HACHURE_INLINE Bits transform_normals(const Matrices& m, const Lanes (&n)[3], const Block& block, Lanes (&unit)[3]) {
-    Lanes out[3], size = all(0.0f), determinant = all(0.0f);
-    for (int r = 0; r < 3; ++r) {
-        const Lanes(&a)[4] = m.row[(r + 1) % 3], (&b)[4] = m.row[(r + 2) % 3];
-        const Lanes cofactors[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-        out[r] = dot(cofactors, n);
-        if (r == 0) determinant = m.row[0][0] * cofactors[0] + m.row[0][1] * cofactors[1] + m.row[0][2] * cofactors[2];
-        size += m.row[r][0] * m.row[r][0] + m.row[r][1] * m.row[r][1] + m.row[r][2] * m.row[r][2];
-    }
+    Lanes out[3], size = all(0.0f);
+    transform_cofactors<0>(m, n, out, size);
+    transform_cofactors<1>(m, n, out, size);
+    transform_cofactors<2>(m, n, out, size);
+    const Lanes(&a)[4] = m.row[1], (&b)[4] = m.row[2];
+    const Lanes determinant = m.row[0][0] * (a[1] * b[2] - a[2] * b[1]) + m.row[0][1] * (a[2] * b[0] - a[0] * b[2]) +
+                              m.row[0][2] * (a[0] * b[1] - a[1] * b[0]);
     const Lanes square = dot(out, out);
     // Shorter than 1e-6 of what such a matrix gives is what rounding leaves of a collapse; the rest is out of float's
     // comfortable range.
@@ -186,10 +203,13 @@ HACHURE_INLINE Bits transform_normals(const Matrices& m, const Lanes (&n)[3], co
     const Lanes along = determinant * inverse;
     const Bits mirrors = (along < all(0.0f)) & (along * along > 1e-12f * size);
     const Lanes outwards = mirrors ? -inverse : inverse;
-    for (int r = 0; r < 3; ++r) unit[r] = out[r] * outwards;
+    unit[0] = out[0] * outwards;
+    unit[1] = out[1] * outwards;
+    unit[2] = out[2] * outwards;
     store3(block.normals, unit);
     if (any(~good)) [[unlikely]] {
-        care_for_normals(m, ~good, block);
+        const Matrices copy = m; // one whose address nobody takes stays in registers
+        care_for_normals(copy, ~good, block);
         load3(block.normals, unit);
     }
     return mirrors;
@@ -209,8 +229,10 @@ HACHURE_INLINE void transform_tangents(const Matrices& m, const Block& block, co
     for (int r = 0; r < 3; ++r) out[r] = moved[r] * inverse;
     out[3] = mirrors ? -t[3] : t[3];
     store4(block.tangents, out);
-    if (any(~good)) [[unlikely]]
-        care_for_tangents(m, ~good, block);
+    if (any(~good)) [[unlikely]] {
+        const Matrices copy = m;
+        care_for_tangents(copy, ~good, block);
+    }
 }
 
 /// The last vertices of a range in a block of their own: the rest of it repeats the last of them.
