@@ -21,7 +21,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <random>
+#include <utility>
 
 #include "../../support/arm_model.h"
 #include "../../support/drawn_scene.h"
@@ -446,6 +448,21 @@ TEST_P(GpuArmTest, StaysOnTheCpuForThoseWhoLookAtPositions) {
     scene->renderer().request_aov("velocity");
     scene->draw();
     EXPECT_FALSE(on_gpu());
+}
+
+/// After its shape was left to the GPU.
+TEST_P(GpuArmTest, LinesCanComeInTheMiddleOfAFrame) {
+    bend(20.0f);
+    scene->draw();
+    scene->app().add_system(Stage::light, "late lines", [entity = surface(), done = false](Commands& commands) mutable {
+        if (!std::exchange(done, true)) commands.add(entity, EdgeLines{});
+    });
+    bend(30.0f);
+    scene->draw();
+    EXPECT_TRUE(on_gpu());
+    scene->draw();
+    EXPECT_FALSE(on_gpu());
+    EXPECT_EQ(world().get<Deformed>(surface()).positions.size(), 84u);
 }
 
 TEST(DeformDeviceTest, WithoutAGpuTheCpuDoes) {
