@@ -328,6 +328,21 @@ TEST_P(GpuDeformTest, MorphsWithoutSkin) {
     }
 }
 
+/// All of them, so that the base's is taken, or all but a little that points elsewhere.
+TEST_P(GpuDeformTest, ATargetThatCancelsNormals) {
+    SurfaceMesh mesh = random_mesh(random, {.vertices = 200, .joints = 0});
+    std::vector<glm::vec3> positions(200, glm::vec3(0.1f)), normals, tangents;
+    for (std::size_t v = 0; v < 200; ++v) {
+        const glm::vec3 left = v % 2 ? glm::vec3(0.0f) : 0.01f * random.unit();
+        normals.push_back(left - mesh.normals[v]);
+        tangents.push_back(left - glm::vec3(mesh.tangents[v]));
+    }
+    const geometry::MorphDeltas deltas{positions, normals, tangents};
+    mesh.morphs = {200, std::span(&deltas, 1)};
+    add_pair(std::move(mesh), {}, {1.0f}, SkinMethod::linear);
+    expect_pair_same();
+}
+
 TEST_P(GpuDeformTest, BoundsHoldWhatIsMorphedAndSkinned) {
     for (int round = 0; round < 20; ++round) {
         start();
