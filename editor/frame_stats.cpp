@@ -49,7 +49,8 @@ FrameStats frame_stats(App& app, Renderer& renderer, double ms) {
                     {"models_animated", animation.models},
                     {"clips_sampled", animation.clips},
                     {"surfaces_deformed", deform.surfaces},
-                    {"vertices_deformed", deform.vertices}};
+                    {"vertices_deformed", deform.vertices},
+                    {"surfaces_deformed_on_gpu", deform.on_gpu}};
     return stats;
 }
 

@@ -23,6 +23,7 @@ struct DrawShape {
     std::span<const glm::vec3> normals;   ///< unit
     std::span<const glm::vec4> tangents;  ///< empty where the mesh has none
     std::uint64_t version = 0;            ///< another one for each shape; 0: the mesh's own
+    bool on_gpu = false;                  ///< a pass writes it (GpuMeshes::shape_buffer); the spans are empty
 };
 
 /// A surface that this frame's view sees.

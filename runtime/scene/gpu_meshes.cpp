@@ -1,3 +1,4 @@
+#include <hachure/runtime/assert.h>
 #include <hachure/runtime/scene/gpu_meshes.h>
 
 #include <meshoptimizer.h>
@@ -10,10 +11,12 @@
 namespace hachure {
 namespace {
 
-template <class T> void bind_attribute(gpu::VertexArray& vertex_array, GLuint location, const gpu::Buffer& buffer) {
+template <class T>
+void bind_attribute(gpu::VertexArray& vertex_array, GLuint location, const gpu::Buffer& buffer,
+                    std::size_t offset = 0) {
     if (!buffer) return;
     vertex_array.set_attribute({.location = location, .components = T::length(), .binding = location});
-    vertex_array.set_vertex_buffer(location, buffer, sizeof(T));
+    vertex_array.set_vertex_buffer(location, buffer, sizeof(T), offset);
 }
 
 template <class T>
@@ -50,6 +53,28 @@ GpuMesh upload_mesh(const SurfaceMesh& mesh) {
         result.vertex_array.set_index_buffer(result.indices);
     }
     return result;
+}
+
+/// Vertices of a shape that is uploaded whenever it changes.
+void make_shape_of_cpu(const std::string& name, const DrawShape& shape, gpu::VertexArray& vertex_array,
+                       gpu::Buffer& positions, gpu::Buffer& normals, gpu::Buffer& tangents) {
+    positions = gpu::Buffer(shape.positions.size_bytes(), gpu::BufferUsage::dynamic, name + " shape");
+    normals = gpu::Buffer(shape.normals.size_bytes(), gpu::BufferUsage::dynamic, name + " shape normals");
+    bind_attribute<glm::vec3>(vertex_array, 0, positions);
+    bind_attribute<glm::vec3>(vertex_array, 1, normals);
+    if (shape.tangents.empty()) return;
+    tangents = gpu::Buffer(shape.tangents.size_bytes(), gpu::BufferUsage::dynamic, name + " shape tangents");
+    bind_attribute<glm::vec4>(vertex_array, 4, tangents);
+}
+
+/// The same for one that the GPU writes. One buffer: compute shaders are sure of 8 only.
+void make_shape_on_gpu(const SurfaceMesh& mesh, gpu::VertexArray& vertex_array, gpu::Buffer& vertices) {
+    const std::size_t vectors = mesh.positions.size() * sizeof(glm::vec3);
+    const std::size_t tangents = mesh.tangents.size() * sizeof(glm::vec4);
+    vertices = gpu::Buffer(2 * vectors + tangents, gpu::BufferUsage::immutable, mesh.name + " shape");
+    bind_attribute<glm::vec3>(vertex_array, 0, vertices);
+    bind_attribute<glm::vec3>(vertex_array, 1, vertices, vectors);
+    if (tangents > 0) bind_attribute<glm::vec4>(vertex_array, 4, vertices, 2 * vectors);
 }
 
 /// sRGB formats have four channels, so every image becomes RGBA whatever its channels.
@@ -112,32 +137,46 @@ const GpuMesh& GpuMeshes::mesh(const MeshStore& store, std::uint32_t index) {
 const gpu::VertexArray& GpuMeshes::vertex_array(const MeshStore& store, const DrawItem& item) {
     const GpuMesh& base = mesh(store, item.mesh);
     if (item.shape.version == 0) return base.vertex_array;
+    if (item.shape.on_gpu) return has_shape(item) ? shapes_.at(item.entity).vertex_array : base.vertex_array;
     Shape& shape = shapes_[item.entity];
-    if (shape.version == item.shape.version) return shape.vertex_array;
-    const std::string& name = store.mesh(item.mesh).name;
-    if (shape.version == 0 || shape.mesh != item.mesh) {
-        shape.positions = gpu::Buffer(item.shape.positions.size_bytes(), gpu::BufferUsage::dynamic, name + " shape");
-        shape.normals =
-            gpu::Buffer(item.shape.normals.size_bytes(), gpu::BufferUsage::dynamic, name + " shape normals");
-        shape.vertex_array = gpu::VertexArray(name + " shape");
-        bind_attribute<glm::vec3>(shape.vertex_array, 0, shape.positions);
-        bind_attribute<glm::vec3>(shape.vertex_array, 1, shape.normals);
-        bind_attribute<glm::vec2>(shape.vertex_array, 2, base.texcoords);
-        bind_attribute<glm::vec4>(shape.vertex_array, 3, base.colors);
-        bind_attribute<glm::vec2>(shape.vertex_array, 5, base.normal_texcoords);
-        if (!item.shape.tangents.empty()) {
-            shape.tangents =
-                gpu::Buffer(item.shape.tangents.size_bytes(), gpu::BufferUsage::dynamic, name + " shape tangents");
-            bind_attribute<glm::vec4>(shape.vertex_array, 4, shape.tangents);
-        }
-        if (base.indices) shape.vertex_array.set_index_buffer(base.indices);
-        shape.mesh = item.mesh;
-    }
+    if (shape.version == item.shape.version && !shape.on_gpu) return shape.vertex_array;
+    if (!shape.vertex_array || shape.mesh != item.mesh || shape.on_gpu)
+        make_shape(store.mesh(item.mesh), base, item, shape);
     shape.positions.update(item.shape.positions);
     shape.normals.update(item.shape.normals);
     if (!item.shape.tangents.empty()) shape.tangents.update(item.shape.tangents);
     shape.version = item.shape.version;
     return shape.vertex_array;
+}
+
+const gpu::Buffer& GpuMeshes::shape_buffer(const MeshStore& store, const DrawItem& item) {
+    HACHURE_ASSERT(item.shape.on_gpu, "this shape comes from the CPU");
+    const GpuMesh& base = mesh(store, item.mesh);
+    Shape& shape = shapes_[item.entity];
+    if (!shape.on_gpu || shape.mesh != item.mesh) make_shape(store.mesh(item.mesh), base, item, shape);
+    return shape.on_gpu;
+}
+
+void GpuMeshes::shape_written(const DrawItem& item) { shapes_.at(item.entity).version = item.shape.version; }
+
+bool GpuMeshes::has_shape(const DrawItem& item) const {
+    const auto found = shapes_.find(item.entity);
+    return found != shapes_.end() && found->second.on_gpu && found->second.mesh == item.mesh &&
+           found->second.version == item.shape.version;
+}
+
+void GpuMeshes::make_shape(const SurfaceMesh& mesh, const GpuMesh& base, const DrawItem& item, Shape& shape) {
+    shape = {};
+    shape.mesh = item.mesh;
+    shape.vertex_array = gpu::VertexArray(mesh.name + " shape");
+    if (item.shape.on_gpu)
+        make_shape_on_gpu(mesh, shape.vertex_array, shape.on_gpu);
+    else
+        make_shape_of_cpu(mesh.name, item.shape, shape.vertex_array, shape.positions, shape.normals, shape.tangents);
+    bind_attribute<glm::vec2>(shape.vertex_array, 2, base.texcoords);
+    bind_attribute<glm::vec4>(shape.vertex_array, 3, base.colors);
+    bind_attribute<glm::vec2>(shape.vertex_array, 5, base.normal_texcoords);
+    if (base.indices) shape.vertex_array.set_index_buffer(base.indices);
 }
 
 void GpuMeshes::forget_shapes_but(std::span<const DrawItem> items) {

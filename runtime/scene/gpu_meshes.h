@@ -27,6 +27,17 @@ public:
     /// What to draw an item of the DrawList with: its mesh, in its own shape where it deforms.
     [[nodiscard]] const gpu::VertexArray& vertex_array(const MeshStore& store, const DrawItem& item);
 
+    /// Where a compute shader writes the shape of an item that is deformed on the GPU (DrawShape::on_gpu), made when
+    /// there is none: floats, the positions of all vertices, then their normals (3 each), then, where the mesh has
+    /// them, their tangents (4 each). The vertex array draws from this buffer.
+    [[nodiscard]] const gpu::Buffer& shape_buffer(const MeshStore& store, const DrawItem& item);
+
+    /// The buffer holds the item's shape now.
+    void shape_written(const DrawItem& item);
+
+    /// Whether the buffer does. Until then the item is drawn in its mesh's own shape.
+    [[nodiscard]] bool has_shape(const DrawItem& item) const;
+
     /// Drops the shapes of entities that are not in `items`.
     void forget_shapes_but(std::span<const DrawItem> items);
 
@@ -36,10 +47,13 @@ private:
     /// The vertices of a deformed surface; the rest is its mesh's.
     struct Shape {
         gpu::Buffer positions, normals, tangents;
+        gpu::Buffer on_gpu; ///< all three in one, where the GPU writes them
         gpu::VertexArray vertex_array;
         std::uint32_t mesh = 0;
-        std::uint64_t version = 0;
+        std::uint64_t version = 0; ///< 0: nothing was written yet
     };
+
+    void make_shape(const SurfaceMesh& mesh, const GpuMesh& base, const DrawItem& item, Shape& shape);
 
     std::unordered_map<std::uint32_t, GpuMesh> meshes_;
     std::unordered_map<Entity, Shape> shapes_;

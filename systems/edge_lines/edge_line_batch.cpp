@@ -58,7 +58,8 @@ void EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const
         edges.creases = find_creases(source.positions, edges.table.edges, edges.planes, lines.crease_angle);
         edges.crease_angle = lines.crease_angle;
     }
-    const bool deformed = item.shape.version != 0;
+    // Lines that a surface was given in this very frame: from the next on, its shape is on the CPU.
+    const bool deformed = item.shape.version != 0 && !item.shape.on_gpu;
     const std::span<const glm::vec3> positions = deformed ? item.shape.positions : std::span(source.positions);
     if (deformed) {
         edges.moved_planes.resize(edges.planes.size());

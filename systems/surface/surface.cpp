@@ -22,7 +22,7 @@ constexpr std::string_view unlit = "unlit";
 
 DrawShape draw_shape(const Deformed* deformed) {
     if (!deformed) return {};
-    return {deformed->positions, deformed->normals, deformed->tangents, deformed->version};
+    return {deformed->positions, deformed->normals, deformed->tangents, deformed->version, deformed->on_gpu};
 }
 
 DrawItem draw_item(Entity entity, const Surface& surface, const Deformed* deformed, const glm::mat4& matrix) {

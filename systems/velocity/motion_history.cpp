@@ -25,7 +25,8 @@ Motion MotionHistory::motion_of(const MeshStore& store, GpuMeshes& meshes, const
     motion.world_from_entity = item.world_from_entity;
     motion.previous_world = known ? past.world : item.world_from_entity;
     motion.index_count = static_cast<std::uint32_t>(store.mesh(item.mesh).indices.size());
-    motion.deforms = item.shape.version != 0;
+    // systems/deform leaves no shape to the GPU alone while motions are wanted.
+    motion.deforms = item.shape.version != 0 && !item.shape.on_gpu;
     if (motion.deforms) {
         if (!known) past.positions.assign(item.shape.positions.begin(), item.shape.positions.end());
         upload_shapes(mesh, item, past);

@@ -1,8 +1,9 @@
 // A hundred characters in one picture, each with a clip and a time of its own: what animation, transforms and
-// deformation take of a frame, beside the whole frame. The model is Khronos' Fox where HACHURE_MODELS has it, else a
-// file that is given, else an arm of as many joints and vertices.
+// deformation take of a frame, beside the whole frame, and what that is with deformation on the GPU. The model is
+// Khronos' Fox where HACHURE_MODELS has it, else a file that is given, else an arm of as many joints and vertices.
 
 #include <hachure/components/animation.h>
+#include <hachure/components/deform.h>
 #include <hachure/components/transform.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/geometry/bounds.h>
@@ -125,6 +126,10 @@ public:
         for (const Entity root : roots_) app_.world().get_mutable<Animation>(root).playing = false;
     }
 
+    void deform_on(DeformDevice device) {
+        for (auto [entity, deform] : app_.world().query<Deform>()) deform.device = device;
+    }
+
     /// Of the last frame.
     double system_ms(std::string_view name) {
         for (const SystemTime& time : app_.schedule().times())
@@ -132,6 +137,7 @@ public:
         return 0.0;
     }
     std::uint64_t vertices() const { return app_.world().resource<DeformCounts>().vertices; }
+    std::uint64_t surfaces_on_gpu() const { return app_.world().resource<DeformCounts>().on_gpu; }
     std::uint64_t clips() const { return app_.world().resource<AnimationCounts>().clips; }
 
 private:
@@ -158,6 +164,32 @@ Times measure(Crowd& crowd, int frames) {
     return times;
 }
 
+/// Whole frames with deformation on either device, in turns, so that whatever else the machine does meets both.
+struct Devices {
+    std::vector<double> cpu, gpu, deform_of_gpu;
+    std::uint64_t surfaces_on_gpu = 0;
+};
+
+Devices compare_devices(Crowd& crowd, int rounds, int frames) {
+    Devices devices;
+    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    for (int round = 0; round < rounds; ++round)
+        for (const DeformDevice device : {DeformDevice::cpu, DeformDevice::gpu}) {
+            crowd.deform_on(device);
+            for (int i = 0; i < 2; ++i) crowd.frame();
+            const Times times = measure(crowd, frames);
+            append(device == DeformDevice::cpu ? devices.cpu : devices.gpu, times.frame);
+            if (device == DeformDevice::cpu) continue;
+            append(devices.deform_of_gpu, times.deform);
+            devices.surfaces_on_gpu = crowd.surfaces_on_gpu();
+        }
+    crowd.deform_on(DeformDevice::cpu);
+    for (int i = 0; i < 2; ++i) crowd.frame();
+    return devices;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -179,6 +211,11 @@ int main(int argc, char** argv) {
     report.add(who + "deformation", bench::median(times.deform), "ms");
     report.add_limited(who + "all three", bench::median(times.sum), "ms", limit_ms);
     report.add(who + "whole frame", bench::median(times.frame), "ms");
+    const Devices devices = compare_devices(crowd, arguments.quick ? 1 : 6, arguments.quick ? 2 : 10);
+    report.add(who + "surfaces deformed on the GPU", static_cast<double>(devices.surfaces_on_gpu), "");
+    report.add(who + "whole frame, deformed on the CPU", bench::median(devices.cpu), "ms");
+    report.add(who + "whole frame, deformed on the GPU", bench::median(devices.gpu), "ms");
+    report.add(who + "deformation on the GPU, what the CPU does for it", bench::median(devices.deform_of_gpu), "ms");
     crowd.pause();
     for (int i = 0; i < 2; ++i) crowd.frame();
     const Times paused = measure(crowd, arguments.quick ? 3 : 60);

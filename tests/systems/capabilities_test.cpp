@@ -86,8 +86,8 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_THAT(names_in(app, Stage::light), ElementsAre("camera", "light"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "gooch.claim"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "edge_lines.select"));
-    EXPECT_THAT(names_in(app, Stage::render),
-                ElementsAre("surface.passes", "gooch.pass", "edge_lines.pass", "velocity.pass", "compose.passes"));
+    EXPECT_THAT(names_in(app, Stage::render), ElementsAre("deform.pass", "surface.passes", "gooch.pass",
+                                                          "edge_lines.pass", "velocity.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread; the rest says what it touches.
