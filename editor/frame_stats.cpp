@@ -2,6 +2,8 @@
 #include <hachure/runtime/assets/atomic_file.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/mesh_store.h>
+#include <hachure/systems/animation/animation.h>
+#include <hachure/systems/deform/deform.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,7 +41,16 @@ FrameStats frame_stats(App& app, Renderer& renderer, double ms) {
     const DrawList& list = world.resource<DrawList>();
     std::uint64_t triangles = 0;
     for (const DrawItem& item : list.items) triangles += world.resource<MeshStore>().mesh(item.mesh).indices.size() / 3;
-    stats.counts = {{"entities", world.size()}, {"surfaces_drawn", list.items.size()}, {"triangles_drawn", triangles}};
+    const AnimationCounts& animation = world.resource<AnimationCounts>();
+    const DeformCounts& deform = world.resource<DeformCounts>();
+    stats.counts = {{"entities", world.size()},
+                    {"surfaces_drawn", list.items.size()},
+                    {"triangles_drawn", triangles},
+                    {"models_animated", animation.models},
+                    {"clips_sampled", animation.clips},
+                    {"surfaces_deformed", deform.surfaces},
+                    {"vertices_deformed", deform.vertices},
+                    {"surfaces_deformed_on_gpu", deform.on_gpu}};
     return stats;
 }
 

@@ -1,12 +1,17 @@
+#include <hachure/components/animation.h>
+#include <hachure/components/rig.h>
 #include <hachure/editor/load_model.h>
 #include <hachure/runtime/app/log.h>
 #include <hachure/runtime/error.h>
+#include <hachure/runtime/scene/clip_store.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/light/light.h>
+#include <hachure/systems/model/clip_points.h>
 #include <hachure/systems/model/spawn_model.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hachure {
 
@@ -20,17 +25,35 @@ bool fits(const glm::vec3& point) {
            std::abs(point.z) <= largest_coordinate;
 }
 
+/// A model that moves: from the pose of the clip's start, without a fade to it.
+void play(World& world, const assets::Model& model, SpawnedModel& spawned, const std::filesystem::path& file,
+          std::string clip) {
+    if (clip.empty() && spawned.clips.empty()) return;
+    if (clip.empty()) clip = spawned.clips.front();
+    if (std::ranges::find(spawned.clips, clip) == spawned.clips.end()) {
+        std::string names;
+        for (const std::string& name : spawned.clips) names += (names.empty() ? "" : ", ") + name;
+        throw Error(file.string(), "has no clip '" + clip + "'", names.empty() ? "it has none" : "there are " + names);
+    }
+    // The camera is to see all of the clip, not only how the model stands at rest.
+    const animation::ClipSet& set = world.resource<ClipStore>().clips(world.get<Rig>(spawned.root).clips).set;
+    spawned.points = clip_points(model, set, set.clips[*animation::find_clip(set, clip)]);
+    world.add(spawned.root, Animation{.clip = std::move(clip)});
+}
+
 } // namespace
 
-void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas) {
+void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas,
+                const std::optional<std::string>& clip) {
     World& world = app.world();
     world.set_resource(canvas);
-    const SpawnedModel spawned = spawn_model(world, model);
+    SpawnedModel spawned = spawn_model(world, model);
     for (const std::string& warning : model.warnings) log_warning(file.string() + ": " + warning);
     for (const std::string& warning : spawned.warnings) log_warning(file.string() + ": " + warning);
     if (spawned.points.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
     if (!std::ranges::all_of(spawned.points, fits))
         throw Error(file.string(), "is too large to be drawn: a vertex lies more than 1e15 m from the origin");
+    if (clip) play(world, model, spawned, file, *clip);
     if (spawned.cameras.empty()) spawn_framing_camera(world, spawned.points, canvas);
     if (spawned.lights.empty()) spawn_default_light(world);
 }

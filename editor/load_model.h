@@ -5,12 +5,15 @@
 #include <hachure/runtime/scene/view.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace hachure {
 
-/// Puts the model into the app's world, with a camera that frames it and the default light where the file has none.
-/// Warnings go to stderr. Throws Error when there is nothing to draw.
-void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas);
+/// Puts the model into the app's world, with a camera that frames it and the default light where the file has none. It
+/// plays `clip`; the first one it has, if any, for an empty name; without a name it stands in its rest pose. Warnings
+/// go to stderr. Throws Error when there is nothing to draw, or no such clip.
+void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas,
+                const std::optional<std::string>& clip = std::nullopt);
 
 } // namespace hachure

@@ -55,7 +55,7 @@ geometry::MeshHealth total_health(const Model& model) {
 
 geometry::Bounds rest_bounds(const Model& model) {
     geometry::Bounds bounds;
-    const std::vector<glm::mat4> matrices = node_matrices(model);
+    const std::vector<glm::mat4> matrices = node_matrices(model.nodes);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const assets::Node& node = model.nodes[i];
         if (node.mesh < 0) continue;

@@ -1,16 +1,19 @@
 #include <hachure/editor/assignments.h>
+#include <hachure/editor/frame_output.h>
+#include <hachure/editor/frame_plan.h>
 #include <hachure/editor/frame_stats.h>
+#include <hachure/editor/interrupt.h>
 #include <hachure/editor/load_model.h>
+#include <hachure/editor/playback_clock.h>
 #include <hachure/editor/render_command.h>
+#include <hachure/editor/render_outputs.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/app/progress.h>
-#include <hachure/runtime/assets/extension.h>
-#include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/parallel.h>
-#include <hachure/runtime/scene/render_context.h>
+#include <hachure/runtime/scene/frame_requests.h>
 #include <hachure/runtime/scene/renderer.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/capabilities.h>
@@ -18,7 +21,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -27,11 +29,6 @@ namespace {
 
 constexpr int max_side = 16384;
 constexpr int max_threads = 1024;
-
-struct AovOutput {
-    std::string name;
-    std::filesystem::path file;
-};
 
 Canvas parse_size(const std::string& text) {
     Canvas canvas{};
@@ -52,34 +49,6 @@ gpu::Backend parse_backend(const std::string& text) {
     return *backend;
 }
 
-std::vector<AovOutput> parse_aovs(const std::vector<std::string>& texts) {
-    std::vector<AovOutput> outputs;
-    for (const std::string& text : texts) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-            throw UsageError("--aov: '" + text + "' is not NAME=FILE.exr");
-        outputs.push_back({text.substr(0, equals), text.substr(equals + 1)});
-        if (assets::lower_extension(outputs.back().file) != ".exr")
-            throw UsageError("--aov: '" + outputs.back().file.string() + "' is not an .exr file");
-    }
-    return outputs;
-}
-
-void check_aov_names(App& app, const std::vector<AovOutput>& aovs) {
-    const std::vector<AovInfo>& known = frame_requests(app.world()).known;
-    for (const AovOutput& aov : aovs)
-        if (std::ranges::find(known, aov.name, &AovInfo::name) == known.end())
-            throw UsageError("--aov: there is no AOV '" + aov.name + "' (see hachure list aovs)");
-}
-
-void check_writable(const std::filesystem::path& file) {
-    const std::filesystem::path folder = file.parent_path().empty() ? "." : file.parent_path();
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored))
-        throw Error(file.string(), "can't be written: there is no such folder");
-    if (std::filesystem::is_directory(file, ignored)) throw Error(file.string(), "is a folder, not a file to write");
-}
-
 /// A name is a matter of usage, a preset file one of the file.
 void check_style_name(const std::string& name) {
     if (std::filesystem::path(name).extension() == ".json") return;
@@ -91,18 +60,11 @@ void check_style_name(const std::string& name) {
     throw UsageError("--style: there is no style '" + name + "'; there are " + known + "or a preset FILE.json");
 }
 
-/// Before any work: what would fail at its end.
-void check_outputs(const RenderOptions& options, const std::vector<AovOutput>& aovs) {
-    const std::string extension = assets::lower_extension(options.output);
-    if (extension != ".png" && extension != ".exr")
-        throw UsageError("-o: '" + options.output.string() + "' is neither a .png nor an .exr file");
-    std::vector<std::filesystem::path> files{options.output};
-    for (const AovOutput& aov : aovs) files.push_back(aov.file);
-    if (!options.stats.empty()) files.push_back(options.stats);
-    for (const std::filesystem::path& file : files) {
-        if (std::ranges::count(files, file) > 1) throw UsageError("'" + file.string() + "' would be written twice");
-        check_writable(file);
-    }
+void check_input(const RenderOptions& options) {
+    const assets::InputKind kind = assets::input_kind(options.input);
+    if (kind == assets::InputKind::image || kind == assets::InputKind::video)
+        throw Error(options.input.string(),
+                    "style '" + options.style + "' draws models; an image or a video has no surfaces");
 }
 
 gpu::ContextOptions context_options(gpu::Backend backend, Canvas canvas) {
@@ -121,40 +83,89 @@ void check_size(Canvas canvas, const gpu::Context& context) {
         throw Error("--size", "this driver draws at most " + std::to_string(limit) + " pixels a side");
 }
 
-void write_aov(Renderer& renderer, const FrameRequests& requests, const AovOutput& aov) {
-    const auto info = std::ranges::find(requests.known, aov.name, &AovInfo::name);
-    assets::write_exr(aov.file, renderer.read_aov(aov.name), info->channel_names);
+/// A whole scene, ready to be drawn.
+void load_scene(App& app, const RenderOptions& options, const assets::Model& model, const Style& style,
+                std::span<const Assignment> assignments, Canvas canvas) {
+    std::optional<std::string> clip;
+    // Who asks for a moment, or for many, wants to see what moves.
+    if (!options.clip.empty() || !options.frames.empty() || !options.time.empty()) clip = options.clip;
+    load_model(app, model, options.input, canvas, clip);
+    apply_style(app.world(), app.types(), style);
+    apply_assignments(app.world(), assignments);
+}
+
+/// Draws the frames of the plan, hands them on, and writes the statistics when there is a file for them.
+void draw_frames(App& app, Renderer& renderer, const FramePlan& plan, const RenderOutputs& outputs,
+                 Progress& progress) {
+    const InterruptWatch watch;
+    FrameOutput output(app, renderer, outputs, plan);
+    std::vector<FrameStats> stats;
+    const auto total = static_cast<std::size_t>(plan.count());
+    // Motion begins somewhere: the first frame's is that since the one before it.
+    if (plan.first > 0 && app.world().resource<FrameRequests>().wants("velocity"))
+        renderer.render_frame(seek(app, plan.seconds(plan.first - 1)));
+    for (std::int64_t number = plan.first; number <= plan.last; ++number) {
+        stop_when_interrupted();
+        if (total > 1) progress.step(static_cast<std::size_t>(number - plan.first), total);
+        const FrameClock clock;
+        renderer.render_frame(seek(app, plan.seconds(number)));
+        if (!outputs.stats.empty()) {
+            renderer.finish();
+            stats.push_back(frame_stats(app, renderer, clock.milliseconds()));
+        }
+        output.take(number);
+    }
+    progress.stage("writing");
+    if (!outputs.stats.empty()) write_stats(outputs.stats, stats, renderer.memory());
+    output.finish();
 }
 
 } // namespace
 
 void add_render_command(CLI::App& app, RenderOptions& options) {
-    CLI::App* command = app.add_subcommand("render", "Render a model in a style to a picture");
+    CLI::App* command = app.add_subcommand("render", "Render a model in a style to a picture, pictures or a film");
     command->add_option("INPUT", options.input, "a glTF, GLB, OBJ, PLY, OFF or STL file")->required();
-    command->add_option("-o,--output", options.output, "the picture: .png (sRGB) or .exr (linear float)")->required();
+    command
+        ->add_option("-o,--output", options.output,
+                     "a picture, .png (sRGB) or .exr (linear float), numbered when its name has #s: out.####.png; or a "
+                     "film of all --frames, .gif or .mp4 (H.264; odd sizes get a row or column more)")
+        ->required();
     command->add_option("--style", options.style, "a style (see `hachure list styles`) or a preset FILE.json")
         ->capture_default_str();
     command->add_option("--size", options.size, "WIDTHxHEIGHT of the picture, pixels")->capture_default_str();
     command->add_option("--backend", options.backend, "where the OpenGL context comes from: auto, egl, osmesa, glfw")
         ->capture_default_str();
+    CLI::Option* frames = command->add_option(
+        "--frames", options.frames, "A..B: draw these frames, both included, or one: A; frame k shows second k / fps");
+    command->add_option("--time", options.time, "S: draw the picture of second S (default: 0)")->excludes(frames);
     command
-        ->add_option("--aov", options.aovs, "NAME=FILE.exr: also write a buffer of the frame (see `hachure list aovs`)")
+        ->add_option("--fps", options.fps, "frames per second, 1 to 1000: 25, 29.97, 30000/1001; a .gif's at most 50")
+        ->capture_default_str();
+    command->add_option("--clip", options.clip,
+                        "NAME: the clip of the file that plays (default with --frames or --time: its first)");
+    command
+        ->add_option("--aov", options.aovs,
+                     "NAME=FILE.exr: also write a buffer of the frame (see `hachure list aovs`); with several frames "
+                     "FILE has #s")
         ->allow_extra_args(false);
     command
         ->add_option("--set", options.sets,
                      "PATH=VALUE: set component.field of all entities that carry it, or entity/component.field")
         ->allow_extra_args(false);
-    command->add_option("--stats", options.stats, "FILE.json: times, passes and memory of the frame");
+    command->add_option("--stats", options.stats, "FILE.json: times and passes of each frame, memory");
     command->add_option("--threads", options.threads, "use at most N threads (default: all); the picture is the same")
         ->type_name("N")
         ->check(CLI::Range(1, max_threads));
-    command->footer("Example: hachure render bunny.obj -o bunny.png --style gooch --set gooch.b=0.55 --size 1024x768");
+    command->footer("Examples: hachure render bunny.obj -o bunny.png --style gooch --set gooch.b=0.55 --size 1024x768\n"
+                    "          hachure render fox.glb -o fox.mp4 --frames 0..119 --fps 30\n"
+                    "          hachure render fox.glb -o fox.####.png --frames 0..119 --aov depth=depth.####.exr");
 }
 
 int run_render(const RenderOptions& options) {
     const Canvas canvas = parse_size(options.size);
     const gpu::Backend backend = parse_backend(options.backend);
-    const std::vector<AovOutput> aovs = parse_aovs(options.aovs);
+    const FramePlan plan = parse_frame_plan(options.frames, options.time, options.fps);
+    const RenderOutputs outputs{options.output, parse_aovs(options.aovs), options.stats};
     if (options.threads > 0) set_thread_limit(options.threads);
     std::unique_ptr<gpu::Context> context; // outlives the app, whose world owns GPU objects
     App app;
@@ -162,12 +173,8 @@ int run_render(const RenderOptions& options) {
     const std::vector<Assignment> assignments = parse_assignments(app.types(), options.sets);
     check_style_name(options.style);
     const Style style = find_style(app.types(), options.style);
-    check_aov_names(app, aovs);
-    check_outputs(options, aovs);
-    if (const assets::InputKind kind = assets::input_kind(options.input);
-        kind == assets::InputKind::image || kind == assets::InputKind::video)
-        throw Error(options.input.string(),
-                    "style '" + options.style + "' draws models; an image or a video has no surfaces");
+    check_outputs(app, outputs, plan);
+    check_input(options);
 
     Progress progress("reading " + options.input.filename().string());
     const assets::Model model = assets::read_model(options.input);
@@ -175,30 +182,9 @@ int run_render(const RenderOptions& options) {
     context = gpu::make_context(context_options(backend, canvas));
     check_size(canvas, *context);
     Renderer renderer(app, *context);
-    load_model(app, model, options.input, canvas);
-    apply_style(app.world(), app.types(), style);
-    apply_assignments(app.world(), assignments);
-
-    const bool exr = assets::lower_extension(options.output) == ".exr";
-    for (const AovOutput& aov : aovs) renderer.request_aov(aov.name);
-    if (exr) renderer.request_aov("color");
+    load_scene(app, options, model, style, assignments, canvas);
     progress.stage("drawing");
-    FrameClock clock;
-    renderer.render_frame();
-    renderer.finish();
-    const double frame_ms = clock.milliseconds();
-
-    progress.stage("writing");
-    const FrameRequests& requests = app.world().resource<FrameRequests>();
-    for (const AovOutput& aov : aovs) write_aov(renderer, requests, aov);
-    if (!options.stats.empty()) {
-        const FrameStats stats = frame_stats(app, renderer, frame_ms);
-        write_stats(options.stats, std::span(&stats, 1), renderer.memory());
-    }
-    if (exr)
-        write_aov(renderer, requests, {"color", options.output});
-    else
-        assets::write_png(options.output, renderer.read_picture());
+    draw_frames(app, renderer, plan, outputs, progress);
     return 0;
 }
 

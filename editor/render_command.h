@@ -20,12 +20,17 @@ struct RenderOptions {
     std::vector<std::string> aovs; ///< NAME=FILE.exr
     std::vector<std::string> sets; ///< PATH=VALUE
     std::filesystem::path stats;
+    std::string frames; ///< A..B or A; empty: frame 0
+    std::string time;   ///< seconds; empty: as the frames say
+    std::string fps = "30";
+    std::string clip;
     int threads = 0; ///< at most so many; 0: as many as the hardware runs at once
 };
 
 void add_render_command(CLI::App& app, RenderOptions& options);
 
-/// Renders the picture and writes it, the AOVs and the statistics. Throws Error and UsageError.
+/// Renders the pictures or the film and writes them, the AOVs and the statistics. Throws Error and UsageError, and ends
+/// the program when a signal interrupts it, with nothing half written.
 int run_render(const RenderOptions& options);
 
 } // namespace hachure

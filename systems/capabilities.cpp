@@ -1,25 +1,33 @@
 #include <hachure/components/name.h>
 #include <hachure/runtime/app/app.h>
+#include <hachure/systems/animation/animation.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/systems/compose/compose.h>
+#include <hachure/systems/curvature/curvature.h>
+#include <hachure/systems/deform/deform.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/transform/transform.h>
+#include <hachure/systems/velocity/velocity.h>
 
 namespace hachure {
 
 void register_capabilities(App& app) {
     app.add_component<Name>();
     register_transform(app);
+    register_animation(app);
+    register_deform(app);
+    register_curvature(app);
     register_camera(app);
     register_light(app);
     register_surface(app);
     register_gooch(app);
     register_edge_lines(app);
     register_compose(app);
+    register_velocity(app);
 }
 
 } // namespace hachure

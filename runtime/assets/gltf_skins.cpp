@@ -2,6 +2,7 @@
 #include <hachure/runtime/assets/gltf_reader.h>
 
 #include <fmt/format.h>
+#include <glm/matrix.hpp>
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -9,23 +10,28 @@
 namespace hachure::assets {
 namespace {
 
-std::vector<glm::mat4> read_inverse_bind(const GltfReader& reader, int accessor, std::size_t joints) {
+/// Matrices that the file lacks are identities: glTF says so for a skin without any, and it is the best guess where
+/// there are too few.
+std::vector<glm::mat4> read_inverse_bind(const GltfReader& reader, int accessor, std::size_t joints,
+                                         const std::string& skin) {
+    const std::string place = accessor < 0 ? "/skins" : accessor_pointer(accessor);
+    reader.accessors.spend_elements(joints, sizeof(glm::mat4), place);
+    std::vector<glm::mat4> matrices(joints, glm::mat4(1.0f));
     if (accessor < 0) {
-        reader.accessors.spend_elements(joints, sizeof(glm::mat4), "/skins");
-        return std::vector<glm::mat4>(joints, glm::mat4(1.0f));
+        reader.warnings.add(fmt::format("{} has no inverse bind matrices: its joints bind as identities", skin));
+        return matrices;
     }
     const AccessorShape shape = reader.accessors.shape(accessor);
-    if (shape.columns != 4) reader.document.fail("inverse bind matrices must be MAT4", accessor_pointer(accessor));
+    if (shape.columns != 4) reader.document.fail("inverse bind matrices must be MAT4", place);
     if (shape.count < joints)
-        reader.document.fail(fmt::format("has {} inverse bind matrices for {} joints", shape.count, joints),
-                             accessor_pointer(accessor));
-    std::vector<float> numbers = reader.accessors.floats(accessor);
-    if (!all_finite(numbers))
-        reader.document.fail("has an inverse bind matrix that is not finite", accessor_pointer(accessor));
-    reader.accessors.spend_elements(joints, sizeof(glm::mat4), accessor_pointer(accessor));
-    std::vector<glm::mat4> matrices(joints);
-    for (std::size_t i = 0; i < joints * 16; ++i)
+        reader.warnings.add(fmt::format("{} has {} inverse bind matrices for {} joints: the others bind as identities",
+                                        skin, shape.count, joints));
+    const std::vector<float> numbers = reader.accessors.floats(accessor);
+    if (!all_finite(numbers)) reader.document.fail("has an inverse bind matrix that is not finite", place);
+    for (std::size_t i = 0; i < std::min(joints, shape.count) * 16; ++i)
         matrices[i / 16][static_cast<int>(i / 4 % 4)][static_cast<int>(i % 4)] = numbers[i];
+    if (std::ranges::any_of(matrices, [](const glm::mat4& m) { return glm::determinant(glm::dmat4(m)) == 0.0; }))
+        reader.warnings.add(fmt::format("{} has an inverse bind matrix that flattens what it binds", skin));
     return matrices;
 }
 
@@ -75,7 +81,9 @@ void read_skins(const GltfReader& reader, Model& model) {
         Skin skin;
         skin.name = source.name;
         skin.joints.assign(source.joints.begin(), source.joints.end());
-        skin.inverse_bind = read_inverse_bind(reader, source.inverseBindMatrices, skin.joints.size());
+        skin.inverse_bind =
+            read_inverse_bind(reader, source.inverseBindMatrices, skin.joints.size(),
+                              source.name.empty() ? fmt::format("skin {}", i) : fmt::format("skin '{}'", source.name));
         skin.skeleton = source.skeleton;
         model.skins.push_back(std::move(skin));
     }

@@ -14,13 +14,15 @@ namespace hachure::assets {
 inline constexpr std::int64_t max_image_pixels = std::int64_t{1} << 27;
 
 /// Reads any still image that OpenImageIO knows (PNG, JPEG, EXR, HDR, TGA, ...). Integer files give u8, float files
-/// f32; more than four channels are cut to the first four. Throws Error when the file can't be read or is too large.
+/// f32; more than four channels are cut to the first four. Colours of PNG files are
+/// not multiplied by alpha. Throws Error when the file can't be read or is too large.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
 
 /// The same from bytes in memory; `name` is used in errors and its extension, when it has one, as a hint.
 [[nodiscard]] Image read_image_memory(std::string_view name, std::span<const std::byte> bytes);
 
-/// An 8-bit PNG. `image` is u8 with 1 to 4 channels, sRGB-encoded. The file appears whole or not at all.
+/// An 8-bit PNG. `image` is u8 with 1 to 4 channels, sRGB-encoded, not multiplied by alpha. The file appears whole or
+/// not at all.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 /// A ZIP-compressed 32-bit float EXR. `channel_names` has one name per channel ("R", "G", "B"; "Z"; ...). The file

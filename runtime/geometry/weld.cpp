@@ -1,6 +1,8 @@
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/geometry/weld.h>
 
+#include <glm/geometric.hpp>
+
 #include <bit>
 
 namespace hachure::geometry {
@@ -30,6 +32,27 @@ std::vector<std::uint32_t> weld_positions(std::span<const glm::vec3> positions) 
         while (slots[slot] != empty && positions[slots[slot]] != positions[i]) slot = (slot + 1) & mask;
         if (slots[slot] == empty) slots[slot] = i;
         weld[i] = slots[slot];
+    }
+    return weld;
+}
+
+std::vector<std::uint32_t> weld_normals(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
+    constexpr float same = 0.99996f; // cosine of half a degree
+    constexpr std::uint32_t none = 0xffffffffu;
+    HACHURE_ASSERT(normals.size() == positions.size(), "one normal per vertex");
+    std::vector<std::uint32_t> weld = weld_positions(positions);
+    // By vertex that stands for a normal: the next one at its place.
+    std::vector<std::uint32_t> next(positions.size(), none);
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        if (weld[i] == i) continue;
+        std::uint32_t at = weld[i];
+        while (glm::dot(normals[at], normals[i]) < same && next[at] != none) at = next[at];
+        if (glm::dot(normals[at], normals[i]) >= same) {
+            weld[i] = at;
+        } else {
+            next[at] = i;
+            weld[i] = i;
+        }
     }
     return weld;
 }

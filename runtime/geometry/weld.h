@@ -14,4 +14,9 @@ namespace hachure::geometry {
 /// be finite.
 [[nodiscard]] std::vector<std::uint32_t> weld_positions(std::span<const glm::vec3> positions);
 
+/// The same for normals that are to be smooth again on a deformed mesh: vertices at one place are one where their
+/// normals (unit, one per vertex) are within half a degree, so that hard edges stay hard.
+[[nodiscard]] std::vector<std::uint32_t> weld_normals(std::span<const glm::vec3> positions,
+                                                      std::span<const glm::vec3> normals);
+
 } // namespace hachure::geometry

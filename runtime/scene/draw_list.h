@@ -6,18 +6,31 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
 namespace hachure {
 
+/// The shape of a deformed surface in this frame; views of what its entity owns, which hold until the next frame's
+/// list.
+struct DrawShape {
+    std::span<const glm::vec3> positions; ///< in entity space, by vertex of the mesh
+    std::span<const glm::vec3> normals;   ///< unit
+    std::span<const glm::vec4> tangents;  ///< empty where the mesh has none
+    std::uint64_t version = 0;            ///< another one for each shape; 0: the mesh's own
+    bool on_gpu = false;                  ///< a pass writes it (GpuMeshes::shape_buffer); the spans are empty
+};
+
 /// A surface that this frame's view sees.
 struct DrawItem {
     Entity entity;
     std::uint32_t mesh = 0; ///< into the MeshStore
+    DrawShape shape;        ///< of `version` 0 where the mesh does not deform
     glm::mat4 world_from_entity{1.0f};
     glm::mat3 world_from_normal{1.0f}; ///< inverse transpose of the above
     glm::vec3 tint{1.0f};

@@ -24,8 +24,8 @@ public:
     /// Makes each frame hold the AOV from now on. Throws Error when no capability can make it, naming those there are.
     void request_aov(std::string_view name);
 
-    /// One frame.
-    void render_frame();
+    /// One frame, `delta_seconds` (0 or more) after the one before.
+    void render_frame(double delta_seconds = 0);
 
     /// The picture of the last frame: u8, RGB, sRGB, as PNG files have it. Waits for the GPU.
     [[nodiscard]] assets::Image read_picture();

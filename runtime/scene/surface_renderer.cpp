@@ -1,11 +1,10 @@
+#include <hachure/runtime/assets/texcoord_transform.h>
 #include <hachure/runtime/gpu/state.h>
 #include <hachure/runtime/scene/light_list.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/surface_renderer.h>
 #include <hachure/runtime/scene/view.h>
-
-#include <cmath>
 
 namespace hachure {
 namespace {
@@ -22,27 +21,39 @@ const gpu::Framebuffer& bind_targets(RenderContext& render, gpu::PassContext& pa
     return framebuffer;
 }
 
+bool has_normal_map(const SurfaceMesh& mesh, const SurfaceMaterial& material) {
+    return material.normal_texture >= 0 && !mesh.tangents.empty() &&
+           !(mesh.texcoords.empty() && mesh.normal_texcoords.empty());
+}
+
 void material_defines(const SurfaceMesh& mesh, const SurfaceMaterial& material,
                       std::vector<gpu::ShaderDefine>& defines) {
     if (material.base_color_texture >= 0 && !mesh.texcoords.empty()) defines.push_back({"BASE_COLOR_TEXTURE", ""});
     if (!mesh.colors.empty()) defines.push_back({"VERTEX_COLOR", ""});
+    if (has_normal_map(mesh, material)) {
+        defines.push_back({"NORMAL_MAP", ""});
+        if (!mesh.normal_texcoords.empty()) defines.push_back({"NORMAL_TEXCOORD", ""});
+    }
     if (material.alpha_cutoff > 0.0f) defines.push_back({"ALPHA_MASK", ""});
     if (material.double_sided) defines.push_back({"DOUBLE_SIDED", ""});
 }
 
-/// KHR_texture_transform: offset * rotation * scale, as the affine map of (u, v, 1).
-glm::mat3x2 texcoord_transform(const SurfaceMaterial& material) {
-    const float c = std::cos(material.uv_rotation), s = std::sin(material.uv_rotation);
-    const glm::vec2 scale = material.uv_scale;
-    return {glm::vec2(c, -s) * scale.x, glm::vec2(s, c) * scale.y, material.uv_offset};
+/// Sets the rows of the affine map of (u, v, 1).
+void set_transform(gpu::Program& program, const char* u, const char* v, const glm::mat3x2& transform) {
+    program.set(u, glm::vec3(transform[0].x, transform[1].x, transform[2].x));
+    program.set(v, glm::vec3(transform[0].y, transform[1].y, transform[2].y));
 }
 
 void set_material(gpu::Program& program, const DrawItem& item, const SurfaceMaterial& material) {
     program.set("base_color", glm::vec4(item.tint, 1.0f) * material.base_color);
     program.set("alpha_cutoff", material.alpha_cutoff);
-    const glm::mat3x2 transform = texcoord_transform(material);
-    program.set("texcoord_u", glm::vec3(transform[0].x, transform[1].x, transform[2].x));
-    program.set("texcoord_v", glm::vec3(transform[0].y, transform[1].y, transform[2].y));
+    set_transform(program, "texcoord_u", "texcoord_v",
+                  assets::texcoord_transform(material.uv_offset, material.uv_scale, material.uv_rotation));
+    if (material.normal_texture < 0) return;
+    program.set("normal_scale", material.normal_scale);
+    set_transform(
+        program, "normal_texcoord_u", "normal_texcoord_v",
+        assets::texcoord_transform(material.normal_uv_offset, material.normal_uv_scale, material.normal_uv_rotation));
 }
 
 void set_item(gpu::Program& program, const DrawItem& item) {
@@ -65,8 +76,7 @@ void draw_item(const World& world, RenderContext& render, const DrawItem& item, 
                const SurfaceShading& shading) {
     const MeshStore& store = world.resource<MeshStore>();
     const SurfaceMesh& mesh = store.mesh(item.mesh);
-    const GpuMesh& gpu_mesh = render.meshes.mesh(store, item.mesh);
-    gpu_mesh.vertex_array.bind();
+    render.meshes.vertex_array(store, item).bind();
     for (const Submesh& submesh : mesh.submeshes) {
         if (submesh.index_count == 0) continue;
         gpu::ProgramSource source{.vertex = "surface/surface.vert", .fragment = std::string(shading.fragment)};
@@ -81,6 +91,8 @@ void draw_item(const World& world, RenderContext& render, const DrawItem& item, 
         if (shading.uniforms) shading.uniforms(item.entity, program);
         if (submesh.material.base_color_texture >= 0 && !mesh.texcoords.empty())
             render.meshes.texture(store, submesh.material.base_color_texture).bind(0);
+        if (has_normal_map(mesh, submesh.material))
+            render.meshes.texture(store, submesh.material.normal_texture).bind(1);
         gpu::apply(draw_state(world.resource<View>(), item, submesh.material));
         program.use();
         gpu::gl().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(submesh.index_count), GL_UNSIGNED_INT,

@@ -9,7 +9,13 @@ uniform float alpha_cutoff;
 uniform uint object_id;
 #ifdef BASE_COLOR_TEXTURE
 in vec2 texcoord;
-uniform sampler2D base_color_texture;
+layout(binding = 0) uniform sampler2D base_color_texture;
+#endif
+#ifdef NORMAL_MAP
+in vec4 world_tangent;
+in vec2 normal_texcoord;
+layout(binding = 1) uniform sampler2D normal_map;
+uniform float normal_scale;
 #endif
 #ifdef VERTEX_COLOR
 in vec4 vertex_color;
@@ -38,9 +44,24 @@ vec3 surface_color() {
     return color.rgb;
 }
 
-// The unit normal on the side that is seen.
+#ifdef NORMAL_MAP
+// MikkTSpace: interpolated vectors are used as they are, and the bitangent is made here; glTF's maps are green up.
+vec3 mapped_normal() {
+    vec3 texel = texture(normal_map, normal_texcoord).xyz * 2.0 - 1.0;
+    vec3 bitangent = world_tangent.w * cross(world_normal, world_tangent.xyz);
+    vec3 normal = normal_scale * (texel.x * world_tangent.xyz + texel.y * bitangent) + texel.z * world_normal;
+    float square = dot(normal, normal);
+    return square > 1e-12 ? normal * inversesqrt(square) : normalize(world_normal);
+}
+#endif
+
+// The unit normal on the side that is seen, with the normal map's relief. Seen from behind, a bump is a dent.
 vec3 surface_normal() {
+#ifdef NORMAL_MAP
+    vec3 normal = mapped_normal();
+#else
     vec3 normal = normalize(world_normal);
+#endif
 #ifdef DOUBLE_SIDED
 #ifdef MIRRORED
     if (gl_FrontFacing) normal = -normal;

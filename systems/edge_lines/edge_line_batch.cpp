@@ -26,8 +26,8 @@ EdgeLineMesh make_edge_mesh(const SurfaceMesh& source) {
 }
 
 std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view) {
-    return gpu::key_of(view.key(), item.mesh, item.world_from_entity, lines.silhouette, lines.crease, lines.border,
-                       lines.crease_angle);
+    return gpu::key_of(view.key(), item.mesh, item.shape.version, item.world_from_entity, lines.silhouette,
+                       lines.crease, lines.border, lines.crease_angle);
 }
 
 } // namespace
@@ -52,13 +52,21 @@ void EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const
     const std::uint64_t key = batch_key(item, lines, view);
     if (batch.key_ == key) return;
     EdgeLineMesh& edges = mesh(store, item.mesh);
-    const std::vector<glm::vec3>& positions = store.mesh(item.mesh).positions;
+    const SurfaceMesh& source = store.mesh(item.mesh);
+    // Creases are the mesh's own, whatever its shape: they would come and go as a character moves.
     if (lines.crease && edges.crease_angle != lines.crease_angle) {
-        edges.creases = find_creases(positions, edges.table.edges, edges.planes, lines.crease_angle);
+        edges.creases = find_creases(source.positions, edges.table.edges, edges.planes, lines.crease_angle);
         edges.crease_angle = lines.crease_angle;
     }
+    // Lines that a surface was given in this very frame: from the next on, its shape is on the CPU.
+    const bool deformed = item.shape.version != 0 && !item.shape.on_gpu;
+    const std::span<const glm::vec3> positions = deformed ? item.shape.positions : std::span(source.positions);
+    if (deformed) {
+        edges.moved_planes.resize(edges.planes.size());
+        geometry::face_planes(positions, source.indices, edges.moved_planes);
+    }
     SelectEdgesJob job{.edges = edges.table.edges,
-                       .planes = edges.planes,
+                       .planes = deformed ? edges.moved_planes : edges.planes,
                        .creases = edges.creases,
                        .eye = glm::inverse(item.world_from_entity) * view.eye,
                        .silhouette = lines.silhouette,

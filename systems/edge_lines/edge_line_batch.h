@@ -22,7 +22,8 @@ namespace hachure {
 /// The edges of one mesh and what choosing among them needs; made when the first entity asks for lines.
 struct EdgeLineMesh {
     geometry::EdgeTable table;
-    std::vector<glm::vec4> planes;
+    std::vector<glm::vec4> planes;       ///< of the mesh's own shape
+    std::vector<glm::vec4> moved_planes; ///< scratch: of the shape at hand
     std::vector<std::uint8_t> creases;   ///< of find_creases
     float crease_angle = -1.0f;          ///< which they were found with; -1 for not yet
     std::vector<std::uint8_t> front;     ///< scratch of SelectEdgesJob

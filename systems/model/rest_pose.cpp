@@ -27,10 +27,16 @@ void apply_morph_weights(Primitive& primitive, const std::vector<float>& weights
             primitive.positions[i] += weights[t] * target.positions[i];
         for (std::size_t i = 0; i < target.normals.size() && i < primitive.normals.size(); ++i)
             primitive.normals[i] += weights[t] * target.normals[i];
+        for (std::size_t i = 0; i < target.tangents.size() && i < primitive.tangents.size(); ++i)
+            primitive.tangents[i] += glm::vec4(weights[t] * target.tangents[i], 0.0f);
     }
     for (glm::vec3& normal : primitive.normals) {
         const float length = glm::length(normal);
         normal = length > 0.0f ? normal / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+    for (glm::vec4& tangent : primitive.tangents) {
+        const float length = glm::length(glm::vec3(tangent));
+        tangent = glm::vec4(length > 0.0f ? glm::vec3(tangent) / length : glm::vec3(1.0f, 0.0f, 0.0f), tangent.w);
     }
 }
 
@@ -53,11 +59,18 @@ bool blend_joints(const Primitive& primitive, std::size_t vertex, const std::vec
     return true;
 }
 
+void skin_tangent(glm::vec4& tangent, const glm::mat4& blended) {
+    const glm::vec3 turned = glm::mat3(blended) * glm::vec3(tangent);
+    const float length = glm::length(turned);
+    if (length > 0.0f) tangent = glm::vec4(turned / length, tangent.w);
+}
+
 void apply_skin(Primitive& primitive, const std::vector<glm::mat4>& joints) {
     glm::mat4 blended;
     for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
         if (!blend_joints(primitive, i, joints, blended)) continue;
         primitive.positions[i] = glm::vec3(blended * glm::vec4(primitive.positions[i], 1.0f));
+        if (i < primitive.tangents.size()) skin_tangent(primitive.tangents[i], blended);
         if (i >= primitive.normals.size()) continue;
         // Cofactors instead of the inverse transpose: defined for flattened joints too.
         const glm::vec3 x(blended[0]), y(blended[1]), z(blended[2]);
@@ -70,15 +83,15 @@ void apply_skin(Primitive& primitive, const std::vector<glm::mat4>& joints) {
 
 } // namespace
 
-std::vector<glm::mat4> node_matrices(const Model& model) {
-    std::vector<glm::mat4> matrices(model.nodes.size(), glm::mat4(1.0f));
+std::vector<glm::mat4> node_matrices(std::span<const Node> nodes) {
+    std::vector<glm::mat4> matrices(nodes.size(), glm::mat4(1.0f));
     std::vector<std::int32_t> pending;
-    for (std::size_t i = 0; i < model.nodes.size(); ++i)
-        if (model.nodes[i].parent < 0) pending.push_back(static_cast<std::int32_t>(i));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (nodes[i].parent < 0) pending.push_back(static_cast<std::int32_t>(i));
     while (!pending.empty()) {
         const auto index = static_cast<std::size_t>(pending.back());
         pending.pop_back();
-        const Node& node = model.nodes[index];
+        const Node& node = nodes[index];
         const glm::mat4 parent = node.parent < 0 ? glm::mat4(1.0f) : matrices[static_cast<std::size_t>(node.parent)];
         matrices[index] = parent * local_matrix(node);
         pending.insert(pending.end(), node.children.begin(), node.children.end());
@@ -101,6 +114,28 @@ std::vector<Primitive> rest_pose(const Model& model, const Node& node, const std
         if (!joints.empty()) apply_skin(primitive, joints);
     }
     return primitives;
+}
+
+std::vector<glm::vec3> scene_points(const Model& model, std::span<const Node> nodes) {
+    const std::vector<glm::mat4> matrices = node_matrices(nodes);
+    const auto& roots = model.scenes[static_cast<std::size_t>(model.default_scene)].roots;
+    std::vector<std::int32_t> pending(roots.begin(), roots.end());
+    std::vector<glm::vec3> points;
+    while (!pending.empty()) {
+        const auto index = static_cast<std::size_t>(pending.back());
+        pending.pop_back();
+        const Node& node = nodes[index];
+        pending.insert(pending.end(), node.children.begin(), node.children.end());
+        if (node.mesh < 0) continue;
+        const glm::mat4 matrix = node.skin >= 0 ? glm::mat4(1.0f) : matrices[index];
+        for (const Primitive& primitive : rest_pose(model, node, matrices)) {
+            std::vector<bool> used(primitive.positions.size(), false);
+            for (const std::uint32_t i : primitive.indices) used[i] = true;
+            for (std::size_t i = 0; i < used.size(); ++i)
+                if (used[i]) points.push_back(glm::vec3(matrix * glm::vec4(primitive.positions[i], 1.0f)));
+        }
+    }
+    return points;
 }
 
 } // namespace hachure

@@ -3,13 +3,15 @@
 #include <hachure/runtime/assets/model.h>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
+#include <span>
 #include <vector>
 
 namespace hachure {
 
-/// Place of every node of the model in its scene, from the nodes' own transforms (no clip applied).
-[[nodiscard]] std::vector<glm::mat4> node_matrices(const assets::Model& model);
+/// Place of every node in its scene, from the nodes' own transforms. `nodes` may be a model's own, or those in a pose.
+[[nodiscard]] std::vector<glm::mat4> node_matrices(std::span<const assets::Node> nodes);
 
 /// The mesh of a node as it stands at rest: default morph weights applied, then, when the node has a skin, linear blend
 /// skinning with the joints where the nodes put them. Skinned vertices are in the scene's space, since glTF ignores the
@@ -17,5 +19,8 @@ namespace hachure {
 /// weight stays where its morph targets leave it.
 [[nodiscard]] std::vector<assets::Primitive> rest_pose(const assets::Model& model, const assets::Node& node,
                                                        const std::vector<glm::mat4>& matrices);
+
+/// Every vertex that a triangle uses, of every mesh of the default scene, in the scene, with the nodes as given.
+[[nodiscard]] std::vector<glm::vec3> scene_points(const assets::Model& model, std::span<const assets::Node> nodes);
 
 } // namespace hachure

@@ -1,73 +1,30 @@
 #include <hachure/components/camera.h>
+#include <hachure/components/deform.h>
 #include <hachure/components/light.h>
+#include <hachure/components/morph_weights.h>
 #include <hachure/components/name.h>
+#include <hachure/components/rig.h>
+#include <hachure/components/skin.h>
 #include <hachure/components/surface.h>
 #include <hachure/components/transform.h>
 #include <hachure/components/world_transform.h>
-#include <hachure/runtime/assets/image_file.h>
-#include <hachure/runtime/error.h>
+#include <hachure/runtime/scene/clip_store.h>
 #include <hachure/runtime/scene/mesh_store.h>
+#include <hachure/systems/model/bind_pointers.h>
 #include <hachure/systems/model/merge_primitives.h>
 #include <hachure/systems/model/rest_pose.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/systems/model/surface_material.h>
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace hachure {
 namespace {
 
 using assets::Model;
 using assets::Node;
-
-/// Decodes a texture when its first material asks for it.
-class Textures {
-public:
-    Textures(const Model& model, MeshStore& store, std::vector<std::string>& warnings)
-        : model_(model), store_(store), warnings_(warnings) {}
-
-    std::int32_t get(std::int32_t index) {
-        if (index < 0) return -1;
-        const auto [entry, fresh] = loaded_.try_emplace(index, -1);
-        if (fresh) entry->second = load(model_.textures[static_cast<std::size_t>(index)]);
-        return entry->second;
-    }
-
-private:
-    std::int32_t load(const assets::Texture& texture) {
-        if (texture.image < 0) return -1;
-        const assets::EncodedImage& source = model_.images[static_cast<std::size_t>(texture.image)];
-        if (source.bytes.empty()) return -1;
-        try {
-            assets::Image image = assets::read_image_memory(source.name, source.bytes);
-            if (image.type != assets::PixelType::u8) throw Error(source.name, "is not an 8-bit image");
-            return store_.add(SurfaceTexture{std::move(image), texture.wrap_s, texture.wrap_t, texture.magnify});
-        } catch (const Error& error) {
-            warnings_.push_back(error.what());
-            return -1;
-        }
-    }
-
-    const Model& model_;
-    MeshStore& store_;
-    std::vector<std::string>& warnings_;
-    std::map<std::int32_t, std::int32_t> loaded_;
-};
-
-SurfaceMaterial surface_material(const Model& model, std::int32_t index, Textures& textures) {
-    SurfaceMaterial result;
-    if (index < 0) return result; // glTF's default: white, one side
-    const assets::Material& material = model.materials[static_cast<std::size_t>(index)];
-    result.name = material.name;
-    result.base_color = material.base_color;
-    result.base_color_texture = textures.get(material.base_color_texture.texture);
-    result.uv_offset = material.base_color_texture.offset;
-    result.uv_scale = material.base_color_texture.scale;
-    result.uv_rotation = material.base_color_texture.rotation;
-    result.alpha_cutoff = material.alpha_mode == assets::AlphaMode::mask ? material.alpha_cutoff : 0.0f;
-    result.double_sided = material.double_sided;
-    return result;
-}
 
 Camera camera_component(const assets::Camera& camera) {
     Camera result;
@@ -90,17 +47,25 @@ Light light_component(const assets::Light& light) {
     return result;
 }
 
+/// The world's R, made when absent.
+template <class R> R& resource_of(World& world) {
+    if (!world.find_resource<R>()) world.set_resource(R{});
+    return world.resource_mutable<R>();
+}
+
 class Spawner {
 public:
     Spawner(World& world, const Model& model)
-        : world_(world), model_(model), matrices_(node_matrices(model)), store_(world.resource_mutable<MeshStore>()),
-          textures_(model, store_, result_.warnings) {}
+        : world_(world), model_(model), matrices_(node_matrices(model.nodes)), store_(resource_of<MeshStore>(world)),
+          materials_(model, store_, result_.warnings), nodes_(model.nodes.size(), Entity::null),
+          morphs_(model.nodes.size(), Entity::null), surfaces_(model.nodes.size(), Entity::null) {}
 
     SpawnedModel run() {
         const assets::Scene& scene = model_.scenes[static_cast<std::size_t>(model_.default_scene)];
+        result_.root = world_.create_with(Name{scene.name.empty() ? "model" : scene.name}, Transform{});
         std::vector<std::pair<std::int32_t, Entity>> pending;
         for (auto root = scene.roots.rbegin(); root != scene.roots.rend(); ++root)
-            pending.emplace_back(*root, Entity{});
+            pending.emplace_back(*root, result_.root);
         while (!pending.empty()) {
             const auto [index, parent] = pending.back();
             pending.pop_back();
@@ -109,6 +74,9 @@ public:
             for (auto child = children.rbegin(); child != children.rend(); ++child)
                 pending.emplace_back(*child, entity);
         }
+        for (const auto& [entity, skin] : skinned_) world_.add(entity, skin_component(skin));
+        add_rig();
+        result_.points = scene_points(model_, model_.nodes);
         return std::move(result_);
     }
 
@@ -116,20 +84,36 @@ private:
     Entity spawn_node(std::size_t index, Entity parent) {
         const Node& node = model_.nodes[index];
         const Entity entity = world_.create();
+        nodes_[index] = entity;
         world_.add(entity, Name{node.name.empty() ? "node " + std::to_string(index) : node.name});
         world_.add(entity, Transform{node.translation, node.rotation, node.scale});
         if (node.matrix) world_.add(entity, LocalMatrix{*node.matrix});
-        if (parent)
-            world_.set_parent(entity, parent);
-        else
-            result_.roots.push_back(entity);
+        world_.set_parent(entity, parent);
         if (node.mesh >= 0) add_surface(entity, index);
-        if (node.camera >= 0) add_camera(entity, model_.cameras[static_cast<std::size_t>(node.camera)]);
+        if (node.camera >= 0) {
+            camera_entities_.emplace(node.camera, entity);
+            add_camera(entity, model_.cameras[static_cast<std::size_t>(node.camera)]);
+        }
         if (node.light >= 0) {
+            light_entities_.emplace(node.light, entity);
             world_.add(entity, light_component(model_.lights[static_cast<std::size_t>(node.light)]));
             result_.lights.push_back(entity);
         }
         return entity;
+    }
+
+    void add_rig() {
+        if (model_.animations.empty()) return;
+        ModelClips clips{animation::compile_clips(model_, result_.warnings), {}};
+        clips.rest = animation::rest_pose(model_, clips.set.layout);
+        for (const animation::Clip& clip : clips.set.clips) result_.clips.push_back(clip.name);
+        Rig rig{.nodes = nodes_, .morphs = morphs_};
+        const PointerOwners owners{surfaces_, camera_entities_, light_entities_};
+        for (std::size_t clip = 0; clip < clips.set.clips.size(); ++clip)
+            bind_pointers(clips.set.clips[clip], static_cast<std::uint32_t>(clip), owners, rig.pointers,
+                          result_.warnings);
+        rig.clips = resource_of<ClipStore>(world_).add(std::move(clips));
+        world_.add(result_.root, std::move(rig));
     }
 
     void add_camera(Entity entity, const assets::Camera& source) {
@@ -139,52 +123,61 @@ private:
         result_.cameras.push_back(entity);
     }
 
-    /// A skinned mesh stands in the scene, not below its node: glTF ignores that node's transform.
+    /// A skinned mesh stands in the model, not below its node: glTF ignores that node's transform.
     void add_surface(Entity node_entity, std::size_t index) {
         const Node& node = model_.nodes[index];
-        const bool skinned = node.skin >= 0;
-        const std::uint32_t mesh = store_mesh(node, skinned);
+        const std::uint32_t mesh = store_mesh(node);
         Entity entity = node_entity;
-        if (skinned) {
-            entity = world_.create();
-            world_.add(entity, Name{world_.get<Name>(node_entity).text});
-            world_.add(entity, Transform{});
-            result_.roots.push_back(entity);
+        if (node.skin >= 0) {
+            entity = world_.create_with(Name{world_.get<Name>(node_entity).text}, Transform{});
+            world_.set_parent(entity, result_.root);
+            skinned_.emplace_back(entity, node.skin);
+        }
+        if (store_.mesh(mesh).morphs.size() > 0) {
+            world_.add(entity, morph_weights(node, store_.mesh(mesh).morphs.size()));
+            morphs_[index] = entity;
         }
         world_.add(entity, Surface{mesh});
+        if (store_.mesh(mesh).deforms()) world_.add(entity, Deform{});
         result_.surfaces.push_back(entity);
-        const glm::mat4 matrix = skinned ? glm::mat4(1.0f) : matrices_[index];
-        add_points(store_.mesh(mesh), matrix);
+        surfaces_[index] = entity;
     }
 
-    void add_points(const SurfaceMesh& mesh, const glm::mat4& matrix) {
-        std::vector<bool> used(mesh.positions.size(), false);
-        for (const std::uint32_t index : mesh.indices) used[index] = true;
-        for (std::size_t i = 0; i < used.size(); ++i)
-            if (used[i]) result_.points.push_back(glm::vec3(matrix * glm::vec4(mesh.positions[i], 1.0f)));
-    }
-
-    /// Nodes that share an undeformed mesh share its vertices.
-    std::uint32_t store_mesh(const Node& node, bool skinned) {
-        const bool shared = !skinned && node.morph_weights.empty();
-        if (shared) {
-            const auto found = shared_meshes_.find(node.mesh);
-            if (found != shared_meshes_.end()) return found->second;
-        }
+    MorphWeights morph_weights(const Node& node, std::size_t targets) const {
         const assets::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
-        const auto material = [&](std::int32_t index) { return surface_material(model_, index, textures_); };
-        std::vector<assets::Primitive> primitives = rest_pose(model_, node, matrices_);
-        for (assets::Primitive& primitive : primitives) use_base_color_texcoords(primitive);
-        const std::uint32_t index = store_.add(merge_primitives(mesh.name, primitives, material));
-        if (shared) shared_meshes_.emplace(node.mesh, index);
-        return index;
+        MorphWeights weights{node.morph_weights.empty() ? mesh.morph_weights : node.morph_weights};
+        weights.values.resize(targets, 0.0f);
+        return weights;
     }
 
-    /// A SurfaceMesh has one set of texture coordinates: the one of the base colour.
-    void use_base_color_texcoords(assets::Primitive& primitive) const {
-        if (primitive.material < 0) return;
-        const assets::Material& material = model_.materials[static_cast<std::size_t>(primitive.material)];
-        if (material.base_color_texture.texcoord == 1) primitive.texcoords[0] = primitive.texcoords[1];
+    /// When all nodes are there.
+    Skin skin_component(std::int32_t index) {
+        const assets::Skin& skin = model_.skins[static_cast<std::size_t>(index)];
+        Skin result;
+        SkinBinding binding{skin.name, skin.inverse_bind, {}};
+        for (const std::int32_t joint : skin.joints) {
+            result.joints.push_back(nodes_[static_cast<std::size_t>(joint)]);
+            binding.rest.push_back(matrices_[static_cast<std::size_t>(joint)]);
+        }
+        const auto [entry, fresh] = bindings_.try_emplace(index, 0);
+        if (fresh) entry->second = store_.add(std::move(binding));
+        result.binding = entry->second;
+        return result;
+    }
+
+    /// Nodes share the vertices of a mesh, and those that skin it alike its weights.
+    std::uint32_t store_mesh(const Node& node) {
+        const std::size_t joints = node.skin < 0 ? 0 : model_.skins[static_cast<std::size_t>(node.skin)].joints.size();
+        const auto [entry, fresh] = meshes_.try_emplace({node.mesh, joints}, 0);
+        if (!fresh) return entry->second;
+        const assets::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
+        const auto material = [&](std::int32_t index) { return materials_.get(index); };
+        std::vector<assets::Primitive> primitives = mesh.primitives;
+        for (assets::Primitive& primitive : primitives) materials_.prepare(primitive);
+        SurfaceMesh merged = merge_primitives(mesh.name, primitives, material, joints);
+        for (std::string& warning : geometry::skin_weight_warnings(merged.skin.repairs(), "mesh '" + mesh.name + "'"))
+            result_.warnings.push_back(std::move(warning));
+        return entry->second = store_.add(std::move(merged));
     }
 
     World& world_;
@@ -192,8 +185,14 @@ private:
     std::vector<glm::mat4> matrices_;
     SpawnedModel result_;
     MeshStore& store_;
-    Textures textures_;
-    std::map<std::int32_t, std::uint32_t> shared_meshes_;
+    SurfaceMaterials materials_;
+    std::map<std::pair<std::int32_t, std::size_t>, std::uint32_t> meshes_; ///< by mesh and number of joints
+    std::map<std::int32_t, std::uint32_t> bindings_;                       ///< by skin
+    std::vector<Entity> nodes_;                                            ///< by node
+    std::vector<Entity> morphs_;                                           ///< by node
+    std::vector<Entity> surfaces_;                                         ///< by node
+    std::multimap<std::int32_t, Entity> camera_entities_, light_entities_; ///< by camera and light of the file
+    std::vector<std::pair<Entity, std::int32_t>> skinned_;
 };
 
 } // namespace

@@ -12,17 +12,19 @@ namespace hachure {
 
 /// What spawn_model put into the world.
 struct SpawnedModel {
-    std::vector<Entity> roots;
+    Entity root;                  ///< all else is below it: to move, copy or destroy the model
     std::vector<Entity> surfaces; ///< entities with Surface, in the order of the file's nodes
     std::vector<Entity> cameras;  ///< the first is active
     std::vector<Entity> lights;
-    std::vector<glm::vec3> points;     ///< every vertex of every surface that a triangle uses, in the world
-    std::vector<std::string> warnings; ///< images that could not be decoded, one line each
+    std::vector<glm::vec3> points;     ///< every vertex of every surface that a triangle uses, in the world, at rest
+    std::vector<std::string> clips;    ///< names of what an Animation of the root can play, in the order of the file
+    std::vector<std::string> warnings; ///< one line each: images that could not be used, repaired weights and clips
 };
 
 /// Puts the default scene of `model` into `world`: an entity per node, with Name, Transform, and Surface, Camera and
-/// Light as the node says; meshes and base colour textures go to the world's MeshStore. Characters stand in their rest
-/// pose.
+/// Light as the node says, below a root; meshes and textures go to the world's MeshStore. Skinned surfaces
+/// stand below the root with a Skin, morphing ones have MorphWeights; the root of a model with clips has a Rig, and
+/// plays them when it is given an Animation. Characters stand in their rest pose.
 SpawnedModel spawn_model(World& world, const assets::Model& model);
 
 } // namespace hachure

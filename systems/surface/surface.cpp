@@ -1,4 +1,5 @@
 #include <hachure/components/compose.h>
+#include <hachure/components/deformed.h>
 #include <hachure/components/surface.h>
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/app/app.h>
@@ -19,10 +20,16 @@ namespace {
 
 constexpr std::string_view unlit = "unlit";
 
-DrawItem draw_item(Entity entity, const Surface& surface, const glm::mat4& matrix) {
+DrawShape draw_shape(const Deformed* deformed) {
+    if (!deformed) return {};
+    return {deformed->positions, deformed->normals, deformed->tangents, deformed->version, deformed->on_gpu};
+}
+
+DrawItem draw_item(Entity entity, const Surface& surface, const Deformed* deformed, const glm::mat4& matrix) {
     DrawItem item;
     item.entity = entity;
     item.mesh = surface.mesh;
+    item.shape = draw_shape(deformed);
     item.world_from_entity = matrix;
     item.world_from_normal = glm::inverseTranspose(glm::mat3(matrix));
     item.tint = surface.tint;
@@ -30,18 +37,26 @@ DrawItem draw_item(Entity entity, const Surface& surface, const glm::mat4& matri
     return item;
 }
 
-using PlacedSurfaces = Query<const Surface, const WorldTransform>;
+using PlacedSurfaces = Query<const Surface, const WorldTransform, Optional<const Deformed>>;
+
+/// An item with the bounds of its surface in entity space.
+struct BoundedItem {
+    DrawItem item;
+    geometry::Bounds bounds;
+};
 
 std::vector<DrawItem> visible_items(const PlacedSurfaces& surfaces, const View& view, const MeshStore& store) {
-    std::vector<DrawItem> items;
-    for (auto [entity, surface, transform] : surfaces)
-        if (surface.visible) items.push_back(draw_item(entity, surface, transform.matrix));
-    std::ranges::sort(items, {}, &DrawItem::entity);
+    std::vector<BoundedItem> items;
+    for (auto [entity, surface, transform, deformed] : surfaces)
+        if (surface.visible)
+            items.push_back({draw_item(entity, surface, deformed, transform.matrix),
+                             deformed ? deformed->bounds : store.mesh(surface.mesh).bounds});
+    std::ranges::sort(items, {}, [](const BoundedItem& bounded) { return bounded.item.entity; });
     std::vector<DrawItem> visible;
     std::uint32_t id = 0;
-    for (DrawItem& item : items) {
+    for (auto& [item, own_bounds] : items) {
         item.object_id = ++id;
-        const geometry::Bounds bounds = transformed(store.mesh(item.mesh).bounds, item.world_from_entity);
+        const geometry::Bounds bounds = transformed(own_bounds, item.world_from_entity);
         if (outside_frustum(bounds, view.clip_from_world)) continue;
         item.rect = screen_rect(bounds, view);
         visible.push_back(item);
@@ -52,10 +67,11 @@ std::vector<DrawItem> visible_items(const PlacedSurfaces& surfaces, const View& 
 /// Makes the list anew when a surface changed, or the view did.
 class CollectSurfaces {
 public:
-    void operator()(PlacedSurfaces surfaces, Removed<Surface> bare, Removed<WorldTransform> unplaced, LastRun last,
-                    const View& view, const MeshStore& store, DrawList& list, DrawClaims& claims) {
-        const bool changed = !surfaces.changed_since<Surface, WorldTransform>(last.tick).empty();
-        if (changed || !bare.empty() || !unplaced.empty()) ++version_;
+    void operator()(PlacedSurfaces surfaces, Removed<Surface> bare, Removed<WorldTransform> unplaced,
+                    Removed<Deformed> stiff, LastRun last, const View& view, const MeshStore& store, DrawList& list,
+                    DrawClaims& claims) {
+        const bool changed = !surfaces.changed_since<Surface, WorldTransform, Deformed>(last.tick).empty();
+        if (changed || !bare.empty() || !unplaced.empty() || !stiff.empty()) ++version_;
         const std::uint64_t key = gpu::key_of(view.key(), version_);
         if (list.key != key) list = {visible_items(surfaces, view, store), key};
         // Who shades an item can change without the list: every capability claims anew.
@@ -113,6 +129,7 @@ void declare_targets(World& world, RenderContext& render) {
 
 void declare_passes(World& world) {
     RenderContext& render = world.resource_mutable<RenderContext>();
+    render.meshes.forget_shapes_but(world.resource<DrawList>().items);
     declare_targets(world, render);
     add_surface_pass(world, {.name = unlit, .fragment = "surface/unlit.frag", .defines = {}, .uniforms = {}}, 0);
 }
@@ -127,9 +144,11 @@ void register_surface(App& app) {
     world.set_resource(DrawClaims{});
     std::vector<AovInfo>& aovs = frame_requests(world).known;
     aovs.push_back({"color", "the picture in linear RGB, before it is encoded; not clamped", {"R", "G", "B"}});
-    aovs.push_back({"normal",
-                    "unit surface normal in the world, on the side that is seen; 0 where nothing is drawn",
-                    {"normal.X", "normal.Y", "normal.Z"}});
+    aovs.push_back(
+        {"normal",
+         "unit surface normal in the world, with the normal map's relief, on the side that is seen; 0 where nothing is "
+         "drawn",
+         {"normal.X", "normal.Y", "normal.Z"}});
     aovs.push_back(
         {"object_id", "1 for the surface entity made first, and so on; 0 where nothing is drawn", {"object_id"}});
     app.add_system(Stage::material, "surface.collect", CollectSurfaces{});

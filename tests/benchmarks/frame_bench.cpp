@@ -111,7 +111,7 @@ private:
         const MeshStore& store = world.resource<MeshStore>();
         for (const DrawItem& item : world.resource<DrawList>().items) {
             program.set("world_from_entity", item.world_from_entity);
-            render.meshes.mesh(store, item.mesh).vertex_array.bind();
+            render.meshes.vertex_array(store, item).bind();
             for (const Submesh& submesh : store.mesh(item.mesh).submeshes) {
                 state.cull = submesh.material.double_sided ? gpu::Cull::none : gpu::Cull::back;
                 gpu::apply(state);

@@ -20,7 +20,8 @@ TEST(Usage, HelpNamesEveryCommandAndOption) {
     for (const char* command : {"render", "info", "list"})
         EXPECT_NE(all.out.find(command), std::string::npos) << command;
     const std::string render = forked_command({"render", "--help"}, folder.path()).out;
-    for (const char* option : {"--output", "--style", "--size", "--backend", "--aov", "--set", "--stats", "--threads"})
+    for (const char* option : {"--output", "--style", "--size", "--backend", "--aov", "--set", "--stats", "--threads",
+                               "--frames", "--time", "--fps", "--clip"})
         EXPECT_NE(render.find(option), std::string::npos) << option;
 }
 
@@ -46,6 +47,12 @@ TEST_P(UsageTest, ExitsWithTwoAndWritesNothing) {
     const auto before = folder.listing();
     EXPECT_TRUE(failed(forked_command(GetParam().arguments, folder.path()), 2, GetParam().says));
     EXPECT_EQ(folder.listing(), before);
+}
+
+/// Arguments of which the output is one.
+WrongUsage film(const char* name, std::vector<std::string> more, const char* says) {
+    more.insert(more.begin(), {"render", "in.obj", "-o"});
+    return {name, more, says};
 }
 
 WrongUsage render(const char* name, std::vector<std::string> more, const char* says) {
@@ -86,7 +93,33 @@ INSTANTIATE_TEST_SUITE_P(
         render("SetOutOfRange", {"--set", "gooch.b=7"}, "gooch.b"),
         render("SetNotANumber", {"--set", "gooch.b=nan"}, "gooch.b"),
         render("SetTooFewNumbers", {"--set", "compose.background=1 1"}, "compose.background"),
-        render("SetUnknownChoice", {"--set", "light.kind=sun"}, "sun")),
+        render("SetUnknownChoice", {"--set", "light.kind=sun"}, "sun"),
+        render("SeveralFramesInOnePicture", {"--frames", "0..3"}, "out.####.png"),
+        render("SeveralFramesInOneBuffer", {"--frames", "0..3", "--aov", "depth=d.exr"}, "out.png"),
+        render("FramesBackwards", {"--frames", "3..1"}, "3..1"), render("FramesNegative", {"--frames=-3..1"}, "-3..1"),
+        render("FramesNoNumbers", {"--frames", "a..b"}, "a..b"), render("FramesHalf", {"--frames", "1.."}, "1.."),
+        render("FramesTooMany", {"--frames", "0..2000000"}, "1000000"),
+        render("FramesAndTime", {"--frames", "1", "--time", "1"}, "--frames"),
+        render("TimeNegative", {"--time=-1"}, "-1"), render("TimeNoNumber", {"--time", "soon"}, "soon"),
+        render("FpsZero", {"--fps", "0"}, "--fps"), render("FpsTooMany", {"--fps", "1001"}, "1001"),
+        render("FpsNoNumber", {"--fps", "fast"}, "fast")),
+    [](const auto& wrong) { return std::string(wrong.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Frames, UsageTest,
+    testing::Values(
+        film("ExrOfSeveralFrames", {"out.exr", "--frames", "0..1"}, "out.####.exr"),
+        film("BufferOfSeveralFrames", {"a.#.png", "--frames", "0..3", "--aov", "depth=d.exr"}, "d.####.exr"),
+        film("GifWithoutFrames", {"out.gif"}, "--frames"), film("Mp4WithoutFrames", {"out.mp4"}, "--frames"),
+        film("FilmOfATime", {"out.mp4", "--time", "1"}, "--frames"),
+        film("NumberedFilm", {"out.##.mp4", "--frames", "0..3"}, "out.##.mp4"),
+        film("TwoNumbers", {"a#b#.png", "--frames", "0..3"}, "a#b#.png"),
+        film("NumberOfATime", {"out.#.png", "--time", "1"}, "--time"),
+        film("GifTooFast", {"out.gif", "--frames", "0..3", "--fps", "60"}, "50"),
+        film("SameFileByNumber", {"a.#.png", "--frames", "0..20", "--aov", "depth=d0#.exr", "--aov", "normal=d##.exr"},
+             "d00.exr"),
+        film("SameFileByOtherWords", {"a.png", "--aov", "depth=d.exr", "--aov", "normal=./d.exr"}, "d.exr"),
+        film("StatsOverAFrame", {"a.#.exr", "--frames", "0..20", "--stats", "a.7.exr"}, "a.7.exr")),
     [](const auto& wrong) { return std::string(wrong.param.name); });
 
 } // namespace

@@ -1,14 +1,18 @@
 // Every capability of the house together: their systems are in order wherever order matters.
 
 #include <hachure/runtime/app/app.h>
+#include <hachure/systems/animation/animation.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/systems/compose/compose.h>
+#include <hachure/systems/curvature/curvature.h>
+#include <hachure/systems/deform/deform.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/transform/transform.h>
+#include <hachure/systems/velocity/velocity.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,9 +58,10 @@ struct Capability {
     void (*add)(App&);
 };
 constexpr Capability capabilities[] = {
-    {"transform", register_transform}, {"camera", register_camera}, {"light", register_light},
-    {"surface", register_surface},     {"gooch", register_gooch},   {"edge_lines", register_edge_lines},
-    {"compose", register_compose},
+    {"transform", register_transform}, {"camera", register_camera},       {"light", register_light},
+    {"surface", register_surface},     {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
+    {"compose", register_compose},     {"animation", register_animation}, {"deform", register_deform},
+    {"velocity", register_velocity},   {"curvature", register_curvature},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -81,8 +86,8 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_THAT(names_in(app, Stage::light), ElementsAre("camera", "light"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "gooch.claim"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "edge_lines.select"));
-    EXPECT_THAT(names_in(app, Stage::render),
-                ElementsAre("surface.passes", "gooch.pass", "edge_lines.pass", "compose.passes"));
+    EXPECT_THAT(names_in(app, Stage::render), ElementsAre("deform.pass", "surface.passes", "gooch.pass",
+                                                          "edge_lines.pass", "velocity.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread; the rest says what it touches.

@@ -3,6 +3,7 @@
 #include <hachure/tests/support/temp_folder.h>
 
 #include <gtest/gtest.h>
+#include <OpenImageIO/imageio.h>
 
 #include <cmath>
 #include <cstring>
@@ -32,11 +33,7 @@ std::string fault(const std::filesystem::path& file) {
 TEST(ImageFile, PngRoundTripIsExact) {
     const TempFolder folder;
     for (int channels = 1; channels <= 4; ++channels) {
-        Image image = noise_u8(37, 11, channels);
-        if (channels % 2 == 0) // opaque: PNG readers may premultiply
-            for (std::size_t i = static_cast<std::size_t>(channels) - 1; i < image.pixels.size();
-                 i += static_cast<std::size_t>(channels))
-                image.u8()[i] = 255;
+        const Image image = noise_u8(37, 11, channels); // transparent, too
         write_png(folder / "i.png", image);
         const Image read = read_image(folder / "i.png");
         EXPECT_EQ(read.width, 37);
@@ -44,6 +41,22 @@ TEST(ImageFile, PngRoundTripIsExact) {
         ASSERT_EQ(read.channels, channels);
         EXPECT_TRUE(read.pixels == image.pixels) << channels;
     }
+}
+
+TEST(ImageFile, SixteenBitsAreRoundedToEight) {
+    const TempFolder folder;
+    std::vector<std::uint16_t> values(4 * 256);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint16_t>(i * 64 + i % 61);
+    const std::string name = (folder / "i.png").string();
+    const auto output = OIIO::ImageOutput::create(name);
+    OIIO::ImageSpec spec(256, 1, 4, OIIO::TypeDesc::UINT16);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    ASSERT_TRUE(output && output->open(name, spec));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT16, values.data()) && output->close());
+    const Image read = read_image(name);
+    ASSERT_EQ(read.type, PixelType::u8);
+    ASSERT_EQ(read.channels, 4);
+    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(read.u8()[i], values[i] / 257.0, 0.501) << i;
 }
 
 TEST(ImageFile, ExrRoundTripIsExact) {

@@ -38,6 +38,7 @@ Model two_joints() {
         const float t = static_cast<float>(i) / 10.0f;
         primitive.positions.emplace_back(0.3f * t, 2.0f * t, 0.1f);
         primitive.normals.push_back(glm::normalize(glm::vec3(1, t, 0.3f)));
+        primitive.tangents.emplace_back(glm::normalize(glm::vec3(-t, 1, 0.2f)), t < 0.5f ? 1.0f : -1.0f);
         primitive.joints[0].emplace_back(0, 1, 0, 0);
         primitive.weights[0].emplace_back(2.0f * (1.0f - t), 2.0f * t, 0, 0); // sums to 2
     }
@@ -48,7 +49,7 @@ Model two_joints() {
 
 TEST(RestPose, SkinsWithTheJointsWhereTheNodesPutThem) {
     const Model model = two_joints();
-    const std::vector<Primitive> posed = rest_pose(model, model.nodes[3], node_matrices(model));
+    const std::vector<Primitive> posed = rest_pose(model, model.nodes[3], node_matrices(model.nodes));
     const glm::dmat4 joint0 = matrix_of(model.nodes[0]) * glm::dmat4(model.skins[0].inverse_bind[0]);
     const glm::dmat4 joint1 =
         matrix_of(model.nodes[0]) * matrix_of(model.nodes[1]) * glm::dmat4(model.skins[0].inverse_bind[1]);
@@ -62,6 +63,9 @@ TEST(RestPose, SkinsWithTheJointsWhereTheNodesPutThem) {
             glm::normalize(glm::inverse(glm::transpose(glm::dmat3(blended))) * glm::dvec3(source.normals[i]));
         EXPECT_LT(glm::distance(glm::dvec3(posed[0].positions[i]), position), 1e-5) << i;
         EXPECT_LT(glm::distance(glm::dvec3(posed[0].normals[i]), normal), 1e-5) << i;
+        const glm::dvec3 tangent = glm::normalize(glm::dmat3(blended) * glm::dvec3(source.tangents[i]));
+        EXPECT_LT(glm::distance(glm::dvec3(posed[0].tangents[i]), tangent), 1e-5) << i;
+        EXPECT_EQ(posed[0].tangents[i].w, source.tangents[i].w) << i;
     }
     EXPECT_EQ(posed[0].indices, source.indices);
 }
@@ -70,13 +74,13 @@ TEST(RestPose, AVertexWithoutWeightStays) {
     Model model = two_joints();
     model.meshes[0].primitives[0].weights[0][4] = glm::vec4(0.0f);
     const glm::vec3 before = model.meshes[0].primitives[0].positions[4];
-    EXPECT_EQ(rest_pose(model, model.nodes[3], node_matrices(model))[0].positions[4], before);
+    EXPECT_EQ(rest_pose(model, model.nodes[3], node_matrices(model.nodes))[0].positions[4], before);
 }
 
 TEST(RestPose, AFlattenedJointKeepsFiniteNormals) {
     Model model = two_joints();
     model.nodes[0].scale = {1, 0, 1};
-    const std::vector<Primitive> posed = rest_pose(model, model.nodes[3], node_matrices(model));
+    const std::vector<Primitive> posed = rest_pose(model, model.nodes[3], node_matrices(model.nodes));
     for (const glm::vec3& normal : posed[0].normals) EXPECT_NEAR(glm::length(normal), 1.0f, 1e-5f);
 }
 
@@ -85,23 +89,30 @@ TEST(RestPose, MorphsBeforeItSkinsAndTheNodesWeightsGoBeforeTheMeshs) {
     Primitive& primitive = model.meshes[0].primitives[0];
     assets::MorphTarget target;
     target.positions.assign(primitive.positions.size(), {0.5f, 0, 0});
+    target.tangents.assign(primitive.positions.size(), {0, -0.5f, 1});
     primitive.morph_targets = {target};
     model.meshes[0].morph_weights = {1.0f};
     Model moved = two_joints();
     for (const float weight : {1.0f, 0.25f}) {
         if (weight != 1.0f) model.nodes[3].morph_weights = {weight};
-        for (std::size_t i = 0; i < primitive.positions.size(); ++i)
-            moved.meshes[0].primitives[0].positions[i] = primitive.positions[i] + weight * target.positions[i];
-        const auto got = rest_pose(model, model.nodes[3], node_matrices(model))[0].positions;
-        const auto wanted = rest_pose(moved, moved.nodes[3], node_matrices(moved))[0].positions;
-        for (std::size_t i = 0; i < got.size(); ++i) EXPECT_LT(glm::distance(got[i], wanted[i]), 1e-5f);
+        Primitive& by_hand = moved.meshes[0].primitives[0];
+        for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
+            by_hand.positions[i] = primitive.positions[i] + weight * target.positions[i];
+            by_hand.tangents[i] = primitive.tangents[i] + glm::vec4(weight * target.tangents[i], 0.0f);
+        }
+        const Primitive got = rest_pose(model, model.nodes[3], node_matrices(model.nodes))[0];
+        const Primitive wanted = rest_pose(moved, moved.nodes[3], node_matrices(moved.nodes))[0];
+        for (std::size_t i = 0; i < got.positions.size(); ++i) {
+            EXPECT_LT(glm::distance(got.positions[i], wanted.positions[i]), 1e-5f);
+            EXPECT_LT(glm::distance(got.tangents[i], wanted.tangents[i]), 1e-5f);
+        }
     }
 }
 
 TEST(NodeMatrices, FollowTheTreeAndItsMatrices) {
     Model model = two_joints();
     model.nodes[2].matrix = glm::mat4(1, 0, 0, 0, 0.5f, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1); // sheared
-    const std::vector<glm::mat4> matrices = node_matrices(model);
+    const std::vector<glm::mat4> matrices = node_matrices(model.nodes);
     const glm::dmat4 wanted =
         matrix_of(model.nodes[0]) * matrix_of(model.nodes[1]) * glm::dmat4(*model.nodes[2].matrix);
     for (int i = 0; i < 4; ++i) EXPECT_LT(glm::distance(glm::dvec4(matrices[2][i]), wanted[i]), 1e-5);
