@@ -17,7 +17,7 @@ using namespace hachure::bench;
 
 int report_table(const EcsArguments& arguments) {
     const std::size_t count = arguments.common.quick ? 1000 : 1'000'000;
-    const Effort effort = arguments.common.quick ? Effort{} : Effort{9, 200, 5.0};
+    const Effort effort = arguments.common.quick ? Effort{} : Effort{9, 200, 5.0, 60.0};
     Report report(arguments.common);
     std::vector<Result> results;
     for (const auto& make : all_groups())

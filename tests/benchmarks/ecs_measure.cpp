@@ -15,6 +15,14 @@ double time(const std::function<double()>& run) {
     return run();
 }
 
+bool all_hold(const Group& group, const std::vector<double>& floors, const std::vector<std::vector<double>>& samples) {
+    for (std::size_t i = 0; i < group.cases.size(); ++i)
+        if (const auto& limit = group.cases[i].limit;
+            limit && std::ranges::min(samples[i]) > *limit * std::ranges::min(floors))
+            return false;
+    return true;
+}
+
 } // namespace
 
 void require(bool holds, const char* what) {
@@ -25,8 +33,10 @@ std::vector<Result> measure(const Group& group, const Effort& effort) {
     std::vector<double> floors;
     std::vector<std::vector<double>> samples(group.cases.size());
     const Stopwatch watch;
-    for (int round = 0; round < effort.max_rounds; ++round) {
-        if (round >= effort.min_rounds && watch.ns() > 1e9 * effort.seconds) break;
+    for (int round = 0;; ++round) {
+        const double seconds = 1e-9 * watch.ns();
+        const bool enough = round >= effort.max_rounds || (round >= effort.min_rounds && seconds > effort.seconds);
+        if (enough && (seconds > effort.patience || all_hold(group, floors, samples))) break;
         if (group.floor) floors.push_back(time(group.floor));
         for (std::size_t i = 0; i < samples.size(); ++i) samples[i].push_back(time(group.cases[i].run));
     }

@@ -42,11 +42,14 @@ struct Group {
     std::vector<Case> cases;
 };
 
-/// How long to measure a group for: rounds until both minima are reached, and no more than the maximum.
+/// How long to measure a group for: rounds until the minimum of them and the seconds are over, and no more than the
+/// maximum. While a figure falls short it goes on for up to `patience` seconds in all: what others do on the machine
+/// only ever adds time, and a core that is shared with another program keeps fewer fetches from memory on the way.
 struct Effort {
     int min_rounds = 1;
     int max_rounds = 1;
     double seconds = 0.0;
+    double patience = 0.0;
 };
 
 /// What a case took over all rounds. The best is what the machine can do, and what ratios are made of; the median is

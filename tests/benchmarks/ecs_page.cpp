@@ -42,16 +42,18 @@ Made by `./dev charts ecs`; don't edit. {} entities, each with two components of
 {}.
 
 *best* and *median* are over many short rounds, per entity where the unit is ns. *over raw* is the best of the row over
-the best of the floor of its part, which is timed in turn with it: `p[i] += v[i]` over two arrays for walking, `push_back`
-into two vectors that start empty for everything that changes the world's structure, and for reading at random
-`p[index[id]]`: what arrays cost where things have ids because some of them go. Memory is fresh in every round, for
-worlds and for vectors.
+the best of the floor of its part, which is timed in turn with it, for longer while a limit is not met: `p[i] += v[i]`
+over two arrays for walking, `push_back` into two vectors that start empty for everything that changes the world's
+structure, and for reading at random `p[index[id]]`: what arrays cost where things have ids because some of them go.
+Memory is fresh in every round, for worlds and for vectors.
 
 - *Walking* beats plain vectors because a world's memory comes in large pages.
 - *Adding and removing* one component is limited for `Storage::sparse`, which is for components that come and go. The
   rows without a limit are for tables, where all 32 bytes of the entity move: what that costs is repaid by each walk.
 - *Reading at random* takes three cache misses per entity, for the slot of the handle and for each component, as the
-  floor does, but through slots of 8 bytes where an index takes 4, and does not reach its limit yet.
+  floor does. What they cost depends on how many are on their way at once, and so on how few instructions stand between
+  them: `each_of` asks for those of 32 entities before it visits the first, and `get` has few. A core whose other half
+  is busy keeps half as many on the way, which `get` feels most.
 - *Changes* are found through the queue while they are few and by a sweep beyond 3 %; the rows with a name behind them
   force one way.
 
