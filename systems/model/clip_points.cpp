@@ -1,11 +1,19 @@
 #include <hachure/runtime/animation/sample_clip.h>
 #include <hachure/systems/model/clip_points.h>
-#include <hachure/systems/model/rest_pose.h>
+#include <hachure/systems/model/posed_vertices.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace hachure {
 namespace {
 
-constexpr int moments = 12;
+/// So close that what moves fast does not leave the picture in between, and not so many that a long clip takes long.
+int moments_of(const animation::Clip& clip) {
+    constexpr double per_second = 12.0, least = 12.0, most = 96.0;
+    return static_cast<int>(std::clamp(std::ceil(per_second * clip.duration), least, most));
+}
 
 /// The model's nodes as a pose puts them; meshes and all else are left behind.
 std::vector<assets::Node> posed_nodes(const assets::Model& model, const animation::PoseLayout& layout,
@@ -28,6 +36,7 @@ std::vector<glm::vec3> clip_points(const assets::Model& model, const animation::
                                    const animation::Clip& clip) {
     std::vector<glm::vec3> points;
     animation::SampleCache cache;
+    const int moments = moments_of(clip);
     for (int moment = 0; moment <= moments; ++moment) {
         animation::Pose pose = animation::rest_pose(model, set.layout);
         animation::SampleClipJob{

@@ -11,6 +11,10 @@ set datafile separator ","
 
 rows(panel, series) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\"' %s", panel, series, sweep)
 
+# The angle of each point of a method's two series: LBS on the left of its points, DQS on the right, so that where they
+# fall together both can be read; the largest farther out, since its error is often that of the next.
+angles(panel, method, degrees) = sprintf("< awk -F, '$1 == \"%s\" && index($2, \"%s\") == 1 && ($3 %s) {printf \"%%s,%%s,%%s\\n\", $4, $5, $3}' %s", panel, method, degrees, sweep)
+
 # Both axes are logarithmic: the ratio of two costs, or of two errors, is the same distance everywhere.
 set logscale xy
 set xrange [0.001:1]
@@ -28,6 +32,8 @@ set linetype 2 linecolor "#1f5fa8" linewidth 2.2 pointtype 5 pointsize 0.7
 set linetype 3 linecolor "#f0b48c" linewidth 2.2 pointtype 6 pointsize 0.7
 set linetype 4 linecolor "#8fb3dc" linewidth 2.2 pointtype 4 pointsize 0.7
 
+small = "font ',10' textcolor '#606060' notitle"
+
 set multiplot layout 1, 2 margins 0.06, 0.99, 0.115, 0.82 spacing 0.07, 0.1
 set label 1 "A bent cylinder: what is blended or carried from rest, and what is recomputed" \
   at screen 0.012, 0.955 font ",17" textcolor "#202020"
@@ -41,8 +47,10 @@ do for [i = 1:2] {
        rows(panel, "DQS ".cheap) using 4:5 with linespoints linetype 2 title "DQS ".cheap, \
        rows(panel, "LBS recomputed") using 4:5 with linespoints linetype 3 title "LBS recomputed", \
        rows(panel, "DQS recomputed") using 4:5 with linespoints linetype 4 title "DQS recomputed", \
-       sweep using (strcol(1) eq panel ? $4 : NaN):5:(sprintf("  %s°", strcol(3))) with labels left \
-         font ",10" textcolor "#606060" notitle
+       angles(panel, "LBS", "< 120") using 1:2:(strcol(3)."°") with labels right offset -0.8, 0 @small, \
+       angles(panel, "LBS", "== 120") using 1:2:(strcol(3)."°") with labels right offset -4.2, 0.1 @small, \
+       angles(panel, "DQS", "< 120") using 1:2:(strcol(3)."°") with labels left offset 0.8, 0 @small, \
+       angles(panel, "DQS", "== 120") using 1:2:(strcol(3)."°") with labels left offset 4.2, 0.1 @small
   unset label
 }
 unset multiplot
