@@ -1,7 +1,7 @@
 #include <hachure/editor/model_report.h>
 #include <hachure/runtime/geometry/bounds.h>
 #include <hachure/runtime/geometry/mesh_health.h>
-#include <hachure/systems/model/rest_pose.h>
+#include <hachure/systems/model/posed_vertices.h>
 
 #include <fmt/format.h>
 
@@ -59,9 +59,8 @@ geometry::Bounds rest_bounds(const Model& model) {
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const assets::Node& node = model.nodes[i];
         if (node.mesh < 0) continue;
-        for (const assets::Primitive& primitive : rest_pose(model, node, matrices))
-            bounds.include(
-                transformed(geometry::bounds_of(primitive.positions), node.skin >= 0 ? glm::mat4(1.0f) : matrices[i]));
+        for (const std::vector<glm::vec3>& positions : posed_vertices(model, node, matrices))
+            bounds.include(transformed(geometry::bounds_of(positions), node.skin >= 0 ? glm::mat4(1.0f) : matrices[i]));
     }
     return bounds;
 }

@@ -88,38 +88,38 @@ void dispatch(std::size_t vertices) {
 bool GpuDeformer::plan(const DrawList& list, const DeformInputs& inputs, const RenderContext& render) {
     const bool edited = generation_ != render.shaders->generation();
     bool any = false;
-    todo_.clear();
+    planned_.clear();
     for (const DrawItem& item : list.items) {
         if (!item.shape.on_gpu) continue;
         any = true;
         const auto input = inputs.of.find(item.entity);
         // A copy that was made in this very frame has no input of its own yet.
         if (input == inputs.of.end() || input->second.version != item.shape.version) continue;
-        if (edited || !render.meshes.has_shape(item)) todo_.push_back(item);
+        if (edited || !render.meshes.has_shape(item)) planned_.push_back(item);
     }
     generation_ = render.shaders->generation();
-    runs_ += !todo_.empty();
+    runs_ += !planned_.empty();
     return any;
 }
 
 std::uint64_t GpuDeformer::vertices(const MeshStore& store) const {
     std::uint64_t count = 0;
-    for (const DrawItem& item : todo_) count += store.mesh(item.mesh).positions.size();
+    for (const DrawItem& item : planned_) count += store.mesh(item.mesh).positions.size();
     return count;
 }
 
 void GpuDeformer::run(const MeshStore& store, const DeformInputs& inputs, RenderContext& render) {
-    if (todo_.empty()) return;
+    if (planned_.empty()) return;
     upload_poses(inputs);
     // What drew from the buffers in the last frame is done with them.
     gpu::gl().MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
-    for (std::size_t i = 0; i < todo_.size(); ++i)
-        deform(store, todo_[i], inputs.of.at(todo_[i].entity), first_poses_[i], render);
+    for (std::size_t i = 0; i < planned_.size(); ++i)
+        deform(store, planned_[i], inputs.of.at(planned_[i].entity), first_poses_[i], render);
     // No dispatch reads what another has written, so one barrier before they are drawn is enough; the second bit is for
     // those who read the buffers back.
     gpu::gl().MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    for (const DrawItem& item : todo_) render.meshes.shape_written(item);
-    todo_.clear();
+    for (const DrawItem& item : planned_) render.meshes.shape_written(item);
+    planned_.clear();
 }
 
 const GpuDeformer::MeshData& GpuDeformer::mesh_data(const MeshStore& store, std::uint32_t index) {
@@ -139,7 +139,7 @@ const GpuDeformer::MeshData& GpuDeformer::mesh_data(const MeshStore& store, std:
 void GpuDeformer::upload_poses(const DeformInputs& inputs) {
     poses_.clear();
     first_poses_.clear();
-    for (const DrawItem& item : todo_) {
+    for (const DrawItem& item : planned_) {
         const std::vector<glm::vec4>& pose = inputs.of.at(item.entity).pose;
         first_poses_.push_back(poses_.size());
         poses_.insert(poses_.end(), pose.begin(), pose.end());

@@ -43,7 +43,7 @@ private:
                 RenderContext& render);
 
     std::unordered_map<std::uint32_t, MeshData> meshes_;
-    std::vector<DrawItem> todo_;
+    std::vector<DrawItem> planned_;
     std::vector<glm::vec4> poses_;         ///< of all that is to be deformed
     std::vector<std::size_t> first_poses_; ///< of each, into them
     gpu::Buffer pose_buffer_;

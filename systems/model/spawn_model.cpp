@@ -12,7 +12,7 @@
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/systems/model/bind_pointers.h>
 #include <hachure/systems/model/merge_primitives.h>
-#include <hachure/systems/model/rest_pose.h>
+#include <hachure/systems/model/posed_vertices.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/model/surface_material.h>
 

@@ -1,8 +1,7 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/tests/robustness/watched.h>
+#include <hachure/tests/support/given_models.h>
 #include <hachure/tests/support/temp_folder.h>
-
-#include <cstdlib>
 
 namespace hachure::test {
 namespace {
@@ -13,10 +12,8 @@ constexpr std::size_t render_every = 1;
 /// Every file of the pack's broken models, and what lies beside them, sorted.
 std::vector<std::filesystem::path> broken_files() {
     std::vector<std::filesystem::path> files;
-    const char* models = std::getenv("HACHURE_MODELS");
-    if (models == nullptr) return files;
-    const std::filesystem::path root = std::filesystem::path(models) / "broken";
-    if (!std::filesystem::is_directory(root)) return files;
+    const std::filesystem::path root = test::given_models() / "broken";
+    if (test::given_models().empty() || !std::filesystem::is_directory(root)) return files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
         if (entry.is_regular_file()) files.push_back(entry.path());
     std::ranges::sort(files);

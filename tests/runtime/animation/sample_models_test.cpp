@@ -3,6 +3,7 @@
 #include <hachure/runtime/animation/sample_clip.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/tests/runtime/animation/gltf_sampling.h>
+#include <hachure/tests/support/given_models.h>
 
 #include <gtest/gtest.h>
 
@@ -14,16 +15,6 @@ namespace hachure::animation {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> character_files() {
-    std::vector<fs::path> files;
-    const char* models = std::getenv("HACHURE_MODELS");
-    if (models == nullptr || !fs::is_directory(fs::path(models) / "characters")) return files;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(models) / "characters"))
-        if (entry.path().extension() == ".glb" || entry.path().extension() == ".gltf") files.push_back(entry.path());
-    std::ranges::sort(files);
-    return files;
-}
 
 /// Before, at, between and after the keys.
 std::vector<double> moments(const assets::Animation& animation) {
@@ -82,7 +73,7 @@ double largest_error(const ClipSet& set, const Clip& clip, const assets::Animati
 }
 
 TEST(SampleModels, EveryClipAgreesWithTheSpecification) {
-    const std::vector<fs::path> files = character_files();
+    const std::vector<fs::path> files = test::given_gltf_files("characters");
     if (files.empty()) GTEST_SKIP() << "HACHURE_MODELS names no folder with characters";
     std::size_t clips = 0;
     double worst = 0.0;

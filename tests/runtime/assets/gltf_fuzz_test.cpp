@@ -1,11 +1,11 @@
 #include <hachure/runtime/assets/gltf.h>
 #include <hachure/runtime/error.h>
+#include <hachure/tests/support/given_models.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <random>
 
 #include "gltf_builder.h"
@@ -95,12 +95,11 @@ TEST(GltfFuzz, SurvivesDamageToASmallFile) {
 }
 
 TEST(GltfFuzz, SurvivesDamageToRealModels) {
-    const char* models = std::getenv("HACHURE_MODELS");
-    if (models == nullptr) GTEST_SKIP() << "HACHURE_MODELS does not name the folder of models";
+    if (test::given_models().empty()) GTEST_SKIP() << test::no_given_models;
     for (const char* name : {"characters/khronos/RiggedSimple.glb", "characters/morph/AnimatedMorphCube.glb",
                              "characters/khronos/BoxAnimated.glb", "broken/meshoptimizer_fuzz.glb",
                              "broken/tinygltf/singleBlendshapeCube_sparse.glb"})
-        fuzz(read_file(std::filesystem::path(models) / name), name, 600, std::chrono::milliseconds(500));
+        fuzz(read_file(test::given_models() / name), name, 600, std::chrono::milliseconds(500));
 }
 
 } // namespace

@@ -1,10 +1,10 @@
 #include <hachure/runtime/assets/gltf.h>
 #include <hachure/runtime/error.h>
+#include <hachure/tests/support/given_models.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include "gltf_builder.h"
@@ -19,18 +19,8 @@ namespace fs = std::filesystem;
 class GltfModels : public testing::Test {
 protected:
     void SetUp() override {
-        const char* models = std::getenv("HACHURE_MODELS");
-        if (models == nullptr) GTEST_SKIP() << "HACHURE_MODELS does not name the folder of models";
-        folder_ = models;
-    }
-
-    [[nodiscard]] std::vector<fs::path> gltf_files(const std::string& below) const {
-        std::vector<fs::path> files;
-        for (const auto& entry : fs::recursive_directory_iterator(folder_ / below))
-            if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb")
-                files.push_back(entry.path());
-        std::sort(files.begin(), files.end());
-        return files;
+        if (test::given_models().empty()) GTEST_SKIP() << test::no_given_models;
+        folder_ = test::given_models();
     }
 
     fs::path folder_;
@@ -87,7 +77,7 @@ TEST_F(GltfModels, HaveTheCountsOfTheManifest) {
 
 TEST_F(GltfModels, AreAllReadAndValid) {
     for (const char* below : {"characters", "mechanical", "meshes"}) {
-        for (const fs::path& file : gltf_files(below)) {
+        for (const fs::path& file : test::given_gltf_files(below)) {
             SCOPED_TRACE(file.string());
             const Model model = read_gltf(file);
             EXPECT_EQ(broken_promise(model), "");
@@ -105,7 +95,7 @@ TEST_F(GltfModels, FoxHasNoNormals) {
 
 TEST_F(GltfModels, BrokenFilesAreRefusedOrReadIntoValidModels) {
     std::size_t refused = 0, read = 0;
-    for (const fs::path& file : gltf_files("broken")) {
+    for (const fs::path& file : test::given_gltf_files("broken")) {
         SCOPED_TRACE(file.string());
         try {
             EXPECT_EQ(broken_promise(read_gltf(file)), "");
@@ -119,7 +109,7 @@ TEST_F(GltfModels, BrokenFilesAreRefusedOrReadIntoValidModels) {
 }
 
 TEST_F(GltfModels, PositiveCasesOfTheAssetGeneratorAreRead) {
-    for (const fs::path& file : gltf_files("broken/asset-generator/Positive")) {
+    for (const fs::path& file : test::given_gltf_files("broken/asset-generator/Positive")) {
         SCOPED_TRACE(file.string());
         // Two of them are there to be refused by a reader of glTF 2.0.
         const std::string name = file.stem().string();

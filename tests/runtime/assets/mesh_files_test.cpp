@@ -1,11 +1,11 @@
 #include <hachure/runtime/assets/mesh_files.h>
 #include <hachure/runtime/geometry/edges.h>
 #include <hachure/runtime/geometry/mesh_health.h>
+#include <hachure/tests/support/given_models.h>
 
 #include <gmock/gmock.h>
 
 #include <array>
-#include <cstdlib>
 #include <map>
 #include <optional>
 
@@ -25,9 +25,8 @@ TEST(MeshFiles, AreKnownByTheirExtension) {
 class RealModels : public testing::Test {
 protected:
     void SetUp() override {
-        const char* folder = std::getenv("HACHURE_MODELS");
-        if (!folder) GTEST_SKIP() << "HACHURE_MODELS names no folder with models";
-        folder_ = folder;
+        folder_ = test::given_models();
+        if (folder_.empty()) GTEST_SKIP() << test::no_given_models;
     }
     std::optional<Primitive> read(const char* name) const {
         if (!std::filesystem::exists(folder_ / name)) return std::nullopt;

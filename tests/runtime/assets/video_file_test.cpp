@@ -1,10 +1,9 @@
 #include <hachure/runtime/assets/video_file.h>
 #include <hachure/runtime/error.h>
+#include <hachure/tests/support/given_models.h>
 #include <hachure/tests/support/temp_folder.h>
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 
 namespace hachure::assets {
 namespace {
@@ -25,10 +24,8 @@ TEST(VideoFile, RefusesWhatIsNone) {
 }
 
 TEST(VideoFile, JumpsGiveTheFramesThatReadingInOrderGives) {
-    const char* models = std::getenv("HACHURE_MODELS");
-    const std::filesystem::path file = std::filesystem::path(models ? models : "") / "video" / "flower.mp4";
-    if (!models || !std::filesystem::exists(file))
-        GTEST_SKIP() << "HACHURE_MODELS names no folder with video/flower.mp4";
+    const std::filesystem::path file = test::given_models() / "video" / "flower.mp4";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << test::no_given_models << " with video/flower.mp4";
     VideoFile video(file);
     ASSERT_GE(video.frame_count(), 6);
     EXPECT_GT(video.frames_per_second(), 1.0);

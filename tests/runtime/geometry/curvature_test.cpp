@@ -3,6 +3,7 @@
 #include <hachure/runtime/geometry/normals.h>
 #include <hachure/runtime/geometry/shapes.h>
 #include <hachure/runtime/geometry/weld.h>
+#include <hachure/tests/support/given_models.h>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -205,14 +206,13 @@ TEST(Curvature, AsksForIndicesInRange) {
 
 /// A mesh file of the given models as one mesh.
 Curved given_mesh(const char* name) {
-    const assets::Model model =
-        assets::read_model(std::filesystem::path(std::getenv("HACHURE_MODELS")) / "meshes" / name);
+    const assets::Model model = assets::read_model(test::given_models() / "meshes" / name);
     const assets::Primitive& primitive = model.meshes.at(0).primitives.at(0);
     return {primitive.positions, primitive.indices};
 }
 
 TEST(Curvature, OfTheGivenTorusAndSphere) {
-    if (!std::getenv("HACHURE_MODELS")) GTEST_SKIP() << "HACHURE_MODELS names no folder of models";
+    if (test::given_models().empty()) GTEST_SKIP() << test::no_given_models;
     const Curved ring = given_mesh("torus.obj"); // major 1, minor 0.25
     ring.expect_defined();
     const TorusErrors errors = torus_errors(ring, 1.0, 0.25, 1);

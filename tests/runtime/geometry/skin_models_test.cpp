@@ -1,5 +1,6 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/geometry/skin.h>
+#include <hachure/tests/support/given_models.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -136,15 +137,11 @@ void compare_model(const assets::Model& model, const Pose& pose, Errors& errors)
 // The accuracy that was asked for: 1e-5 of the size of the mesh, for each character, at rest, in clips, and with every
 // joint turned at random.
 TEST(SkinModels, FollowTheReference) {
-    const char* folder = std::getenv("HACHURE_MODELS");
-    if (!folder) GTEST_SKIP() << "HACHURE_MODELS names no folder of models";
+    if (test::given_models().empty()) GTEST_SKIP() << test::no_given_models;
     Errors errors;
     std::size_t characters = 0;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(std::filesystem::path(folder) / "characters")) {
-        const auto extension = entry.path().extension();
-        if (extension != ".gltf" && extension != ".glb") continue;
-        const assets::Model model = assets::read_model(entry.path());
+    for (const std::filesystem::path& file : test::given_gltf_files("characters")) {
+        const assets::Model model = assets::read_model(file);
         if (model.skins.empty()) continue;
         ++characters;
         Errors own;
@@ -157,8 +154,8 @@ TEST(SkinModels, FollowTheReference) {
         Pose turned{model.nodes};
         for (const assets::Skin& skin : model.skins) turned.turn_at_random(skin, 5);
         compare_model(model, turned, own);
-        EXPECT_LT(own.position, 1e-5) << entry.path();
-        EXPECT_LT(own.normal, 1e-4) << entry.path();
+        EXPECT_LT(own.position, 1e-5) << file;
+        EXPECT_LT(own.normal, 1e-4) << file;
         errors.position = std::max(errors.position, own.position);
         errors.normal = std::max(errors.normal, own.normal);
         errors.vertices += own.vertices;
