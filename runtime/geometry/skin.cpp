@@ -11,6 +11,10 @@ template <class T> auto* floats(std::span<T> values) {
     return values.empty() ? nullptr : reinterpret_cast<Float*>(values.data());
 }
 
+const float* block_weights(const SkinBlocks& blocks) {
+    return blocks.all_weights().empty() ? nullptr : blocks.all_weights().front().of_vertex.data();
+}
+
 skin_loop::Loop loop_of(const SkinJob& job) {
     const skin_loop::Variant variant{job.method == SkinMethod::dual_quaternion, job.weights->joint_bytes(),
                                      job.weights->influences() == 8};
@@ -43,6 +47,9 @@ void SkinJob::run() {
                                    floats(rest_tangents),
                                    weights->packed_joints().data(),
                                    weights->weights().data(),
+                                   weights->blocks().all_firsts().data(),
+                                   weights->blocks().all_joints().data(),
+                                   block_weights(weights->blocks()),
                                    method == SkinMethod::linear ? &palette[0].row[0].x : &motions[0].real.x,
                                    floats(positions),
                                    floats(normals),

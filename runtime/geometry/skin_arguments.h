@@ -12,6 +12,9 @@ struct Arguments {
     const float* rest_tangents; ///< or null
     const void* joints;
     const float* weights;
+    const unsigned* block_firsts; ///< of SkinBlocks, as are the next two
+    const unsigned* block_joints;
+    const float* block_weights;
     const float* palette; ///< 16 floats per entry: JointMatrix or JointMotion
     float* positions;
     float* normals;

@@ -2,9 +2,9 @@
 // skin_avx512.cpp, each inside a namespace of its own: no include guard, no includes. It calls no inline function of
 // other headers: the linker could take that file's copy, with instructions that other machines lack, for all.
 //
-// A block of as many vertices as there are lanes goes through three steps: blend the palette's entries vertex by vertex
-// (a cache line each), turn the block's results around so that a vector holds one element of all its vertices, and
-// do the rest on those vectors.
+// A block of as many vertices as there are lanes goes through two steps: blend the palette's entries into vectors that
+// hold one element of all its vertices, and do the rest on those vectors. Where the block's vertices share few joints,
+// blending goes joint by joint; else vertex by vertex (an entry is a cache line), and the results are turned around.
 
 /// Blended palette entries of a block: 16 floats per vertex.
 struct alignas(64) Blended {
@@ -16,11 +16,21 @@ struct Matrices {
     Lanes row[3][4];
 };
 
+/// Vertices that share a list of joints: SkinBlocks::size.
+constexpr unsigned long shared_stride = 16;
+/// Most joints that they share: SkinBlocks::joint_limit.
+constexpr unsigned long shared_limit = 12;
+/// Most for which going joint by joint is the faster way, measured with blocks of 4 to 32 joints.
+constexpr unsigned shared_worthwhile = lane_count == 16 ? 12 : lane_count == 8 ? 8 : 6;
+
 /// One block of a mesh, or a copy of its last vertices filled up to a block.
 struct Block {
     const float *rest_positions, *rest_normals, *rest_tangents;
     const void* joints;
     const float* weights;
+    const unsigned* shared_joints; ///< of all vertices; their weights are `shared_stride` floats apart
+    const float* shared_weights;
+    unsigned shared_count; ///< 0 where the block shares none
     float *positions, *normals, *tangents;
 };
 
@@ -65,6 +75,37 @@ HACHURE_INLINE void blend_matrices(const float* palette, const Joint* joints, co
         store(out.entry[v], low);
         __builtin_memcpy(out.entry[v] + 8, &high, sizeof high);
 #endif
+    }
+}
+
+template <int r> HACHURE_INLINE void add_row(const Lanes& weight, const float* entry, Matrices& sum) {
+    sum.row[r][0] += weight * entry[4 * r];
+    sum.row[r][1] += weight * entry[4 * r + 1];
+    sum.row[r][2] += weight * entry[4 * r + 2];
+    sum.row[r][3] += weight * entry[4 * r + 3];
+}
+
+template <int r> HACHURE_INLINE void set_row(const Lanes& weight, const float* entry, Matrices& sum) {
+    sum.row[r][0] = weight * entry[4 * r];
+    sum.row[r][1] = weight * entry[4 * r + 1];
+    sum.row[r][2] = weight * entry[4 * r + 2];
+    sum.row[r][3] = weight * entry[4 * r + 3];
+}
+
+/// Blends the matrices of the joints that a block shares.
+HACHURE_INLINE void blend_shared(const float* palette, const Block& block, Matrices& sum) {
+    const float* weights = block.shared_weights;
+    const float* entry = palette + 16 * static_cast<long>(block.shared_joints[0]);
+    Lanes weight = load(weights);
+    set_row<0>(weight, entry, sum);
+    set_row<1>(weight, entry, sum);
+    set_row<2>(weight, entry, sum);
+    for (unsigned k = 1; k < block.shared_count; ++k) {
+        entry = palette + 16 * static_cast<long>(block.shared_joints[k]);
+        weight = load(weights += shared_stride);
+        add_row<0>(weight, entry, sum);
+        add_row<1>(weight, entry, sum);
+        add_row<2>(weight, entry, sum);
     }
 }
 
@@ -235,52 +276,66 @@ HACHURE_INLINE void transform_tangents(const Matrices& m, const Block& block, co
     }
 }
 
-/// The last vertices of a range in a block of their own: the rest of it repeats the last of them.
-template <class Joint, int influences> struct Tail {
+/// A block of which a range holds some vertices, [low, high): the other lanes repeat the nearest of these.
+template <class Joint, int influences> struct Part {
+    int low, high;
     float rest_positions[3 * lane_count], rest_normals[3 * lane_count], rest_tangents[4 * lane_count];
     Joint joints[influences * lane_count];
-    float weights[influences * lane_count];
+    float weights[influences * lane_count], shared_weights[shared_stride * shared_limit];
     float positions[3 * lane_count], normals[3 * lane_count], tangents[4 * lane_count];
 
-    template <class T> static void copy(const T* from, int size, int count, T* to) {
-        for (int v = 0; from && v < lane_count; ++v)
-            for (int i = 0; i < size; ++i) to[v * size + i] = from[(v < count ? v : count - 1) * size + i];
+    template <class T> void copy(const T* from, int size, T* to) const {
+        for (int v = 0; from && v < lane_count; ++v) {
+            const int nearest = v < low ? low : v < high ? v : high - 1;
+            for (int i = 0; i < size; ++i) to[v * size + i] = from[nearest * size + i];
+        }
     }
 
-    static void copy_back(const float* from, int size, int count, float* to) {
-        for (int i = 0; to && i < size * count; ++i) to[i] = from[i];
+    void copy_back(const float* from, int size, float* to) const {
+        for (int i = size * low; to && i < size * high; ++i) to[i] = from[i];
     }
 
-    [[gnu::noinline]] Block take(const Block& block, int count) {
-        copy(block.rest_positions, 3, count, rest_positions);
-        copy(block.rest_normals, 3, count, rest_normals);
-        copy(block.rest_tangents, 4, count, rest_tangents);
-        copy(static_cast<const Joint*>(block.joints), influences, count, joints);
-        copy(block.weights, influences, count, weights);
-        return {rest_positions,
-                rest_normals,
-                rest_tangents,
-                joints,
-                weights,
-                positions,
-                block.normals ? normals : nullptr,
-                block.tangents ? tangents : nullptr};
+    [[gnu::noinline]] Block take(const Block& block) {
+        copy(block.rest_positions, 3, rest_positions);
+        copy(block.rest_normals, 3, rest_normals);
+        copy(block.rest_tangents, 4, rest_tangents);
+        copy(static_cast<const Joint*>(block.joints), influences, joints);
+        copy(block.weights, influences, weights);
+        for (unsigned k = 0; k < block.shared_count; ++k)
+            copy(block.shared_weights + k * shared_stride, 1, shared_weights + k * shared_stride);
+        Block own = block;
+        own.rest_positions = rest_positions;
+        own.rest_normals = rest_normals;
+        own.rest_tangents = rest_tangents;
+        own.joints = joints;
+        own.weights = weights;
+        own.shared_weights = shared_weights;
+        own.positions = positions;
+        own.normals = block.normals ? normals : nullptr;
+        own.tangents = block.tangents ? tangents : nullptr;
+        return own;
     }
 
-    [[gnu::noinline]] void give_back(const Block& block, int count) const {
-        copy_back(positions, 3, count, block.positions);
-        copy_back(normals, 3, count, block.normals);
-        copy_back(tangents, 4, count, block.tangents);
+    [[gnu::noinline]] void give_back(const Block& block) const {
+        copy_back(positions, 3, block.positions);
+        copy_back(normals, 3, block.normals);
+        copy_back(tangents, 4, block.tangents);
     }
 };
 
+/// The block that begins with vertex `first`, a multiple of the lanes.
 HACHURE_INLINE Block block_at(const Arguments& arguments, unsigned long first, unsigned long joint_bytes,
                               unsigned long influences) {
+    const unsigned* shared = arguments.block_firsts + first / shared_stride;
     return {arguments.rest_positions + 3 * first,
             arguments.rest_normals ? arguments.rest_normals + 3 * first : nullptr,
             arguments.rest_tangents ? arguments.rest_tangents + 4 * first : nullptr,
             static_cast<const char*>(arguments.joints) + first * influences * joint_bytes,
             arguments.weights + first * influences,
+            arguments.block_joints + shared[0],
+            arguments.block_weights ? arguments.block_weights + shared[0] * shared_stride + first % shared_stride
+                                    : nullptr,
+            shared[1] - shared[0],
             arguments.positions + 3 * first,
             arguments.normals ? arguments.normals + 3 * first : nullptr,
             arguments.tangents ? arguments.tangents + 4 * first : nullptr};
@@ -301,17 +356,20 @@ void join_bounds(const Box& box, Arguments& arguments) {
         }
 }
 
-/// Never inlined, so that the last vertices of a range take the same instructions as all others: results to the bit do
-/// not depend on ranges.
+/// Never inlined, so that the first and last vertices of a range take the same instructions as all others: results to
+/// the bit do not depend on ranges.
 template <bool dual_quaternion, class Joint, int influences>
 [[gnu::noinline]] void run_block(const float* palette, const Block& block, Box& box) {
-    Blended blended;
     Matrices matrices;
     const auto* joints = static_cast<const Joint*>(block.joints);
     if constexpr (dual_quaternion) {
+        Blended blended;
         blend_motions<Joint, influences>(palette, joints, block.weights, blended);
         motions_to_matrices(blended, matrices);
+    } else if (block.shared_count > 0 && block.shared_count <= shared_worthwhile) {
+        blend_shared(palette, block, matrices);
     } else {
+        Blended blended;
         blend_matrices<Joint, influences>(palette, joints, block.weights, blended);
         turn_around(blended, matrices);
     }
@@ -330,17 +388,20 @@ template <bool dual_quaternion, class Joint, int influences> void run_loop(Argum
         box.low[r] = all(arguments.low[r]);
         box.high[r] = all(arguments.high[r]);
     }
-    unsigned long first = arguments.first;
-    for (; first + lane_count <= arguments.end; first += lane_count) {
+    // Blocks begin at multiples of the lanes wherever the range does: a vertex's neighbours share its joints, and its
+    // lane is always the same.
+    for (unsigned long first = arguments.first - arguments.first % lane_count; first < arguments.end;
+         first += lane_count) {
         const Block block = block_at(arguments, first, sizeof(Joint), influences);
-        run_block<dual_quaternion, Joint, influences>(arguments.palette, block, box);
-    }
-    if (first < arguments.end) {
-        const int left = static_cast<int>(arguments.end - first);
-        const Block block = block_at(arguments, first, sizeof(Joint), influences);
-        Tail<Joint, influences> tail;
-        run_block<dual_quaternion, Joint, influences>(arguments.palette, tail.take(block, left), box);
-        tail.give_back(block, left);
+        if (first >= arguments.first && first + lane_count <= arguments.end) {
+            run_block<dual_quaternion, Joint, influences>(arguments.palette, block, box);
+        } else {
+            Part<Joint, influences> part;
+            part.low = first < arguments.first ? static_cast<int>(arguments.first - first) : 0;
+            part.high = first + lane_count > arguments.end ? static_cast<int>(arguments.end - first) : lane_count;
+            run_block<dual_quaternion, Joint, influences>(arguments.palette, part.take(block), box);
+            part.give_back(block);
+        }
     }
     join_bounds(box, arguments);
 }

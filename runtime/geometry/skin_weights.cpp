@@ -90,7 +90,10 @@ public:
         }
     }
 
-    [[nodiscard]] SkinWeights take() { return std::move(packed_); }
+    [[nodiscard]] SkinWeights take() {
+        for (std::size_t v = 0; v < packed_.vertex_count_; v += SkinBlocks::size) put_block(v);
+        return std::move(packed_);
+    }
 
 private:
     void note(const Influences& all, std::size_t kept) {
@@ -117,6 +120,15 @@ private:
         if (packed_.joint_bytes_ == 1) bytes = &narrow;
         if (packed_.joint_bytes_ == 2) bytes = &middle;
         std::memcpy(&packed_.joints_[at], bytes, packed_.joint_bytes_);
+    }
+
+    /// The block that begins with a vertex.
+    void put_block(std::size_t first) {
+        const std::size_t n = packed_.influences_, end = std::min(first + SkinBlocks::size, packed_.vertex_count_);
+        std::array<std::uint32_t, 8 * SkinBlocks::size> joints;
+        for (std::size_t i = 0; i < (end - first) * n; ++i) joints[i] = packed_.joint(first + i / n, i % n);
+        packed_.blocks_.append(std::span(joints).first((end - first) * n),
+                               packed_.weights().subspan(first * n, (end - first) * n), n);
     }
 
     SkinWeights packed_;

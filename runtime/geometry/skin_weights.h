@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hachure/runtime/geometry/skin_blocks.h>
+
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -56,6 +58,9 @@ public:
     [[nodiscard]] std::span<const std::byte> packed_joints() const { return joints_; }
     [[nodiscard]] std::span<const float> weights() const { return weights_; }
 
+    /// The same influences by blocks of vertices.
+    [[nodiscard]] const SkinBlocks& blocks() const { return blocks_; }
+
     [[nodiscard]] const SkinWeightRepairs& repairs() const { return repairs_; }
 
 private:
@@ -64,6 +69,7 @@ private:
     std::size_t vertex_count_ = 0, influences_ = 4, joint_count_ = 0, joint_bytes_ = 1;
     std::vector<std::byte> joints_;
     std::vector<float> weights_;
+    SkinBlocks blocks_;
     SkinWeightRepairs repairs_;
 };
 

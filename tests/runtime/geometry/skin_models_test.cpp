@@ -166,5 +166,33 @@ TEST(SkinModels, FollowTheReference) {
     EXPECT_GT(errors.vertices, 10000u);
 }
 
+// What blocks of vertices are for: of the characters, nearly all list their joints, few each.
+TEST(SkinModels, NeighboursShareTheirJoints) {
+    if (test::given_models().empty()) GTEST_SKIP() << test::no_given_models;
+    std::size_t blocks = 0, few = 0, joints = 0;
+    for (const std::filesystem::path& file : test::given_gltf_files("characters")) {
+        const assets::Model model = assets::read_model(file);
+        for (const assets::Node& node : model.nodes) {
+            if (node.mesh < 0 || node.skin < 0) continue;
+            const std::size_t joint_count = model.skins[static_cast<std::size_t>(node.skin)].joints.size();
+            for (const assets::Primitive& primitive : model.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+                const SkinWeights weights =
+                    pack_skin_weights(primitive.positions.size(), joint_count, primitive.joints[0],
+                                      primitive.weights[0], primitive.joints[1], primitive.weights[1]);
+                for (std::size_t b = 0; b < weights.blocks().block_count(); ++b) {
+                    const std::size_t own = weights.blocks().joints(b).size();
+                    few += own > 0 && own <= 8;
+                    joints += own;
+                    ++blocks;
+                }
+            }
+        }
+    }
+    RecordProperty("blocks", std::to_string(blocks));
+    RecordProperty("joints_per_100_blocks", std::to_string(100 * joints / blocks));
+    RecordProperty("per_cent_with_8_or_fewer", std::to_string(100 * few / blocks));
+    EXPECT_GT(10 * few, 9 * blocks);
+}
+
 } // namespace
 } // namespace hachure::geometry

@@ -17,6 +17,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// Whether vertices follow the joints of those before them, as a character's do, or any.
+enum class Neighbours { alike, unlike };
+
 /// A random mesh in the unit cube that follows random joints, with room for what a job writes.
 struct Skinned {
     std::vector<glm::vec3> rest_positions, rest_normals;
@@ -29,7 +32,8 @@ struct Skinned {
     std::vector<glm::vec3> positions, normals;
     std::vector<glm::vec4> tangents;
 
-    Skinned(std::size_t vertices, std::size_t joint_count, int influences, std::uint32_t seed = 1) {
+    Skinned(std::size_t vertices, std::size_t joint_count, int influences, std::uint32_t seed = 1,
+            Neighbours neighbours = Neighbours::unlike) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> any(-1.0f, 1.0f), positive(0.01f, 1.0f);
         std::vector<glm::uvec4> sets[2];
@@ -40,7 +44,7 @@ struct Skinned {
             const glm::vec3 other = glm::normalize(glm::cross(rest_normals.back(), glm::vec3(0.3f, 0.9f, 0.1f)));
             rest_tangents.emplace_back(other, v % 2 == 0 ? 1.0f : -1.0f);
             reference::VertexJoints own;
-            const std::size_t first = random();
+            const std::size_t any_joint = random(), first = neighbours == Neighbours::alike ? v / 5 : any_joint;
             for (std::size_t k = 0; k < static_cast<std::size_t>(influences); ++k)
                 own.emplace_back((first + 3 * k) % joint_count, positive(random));
             for (std::size_t set = 0; set < 2; ++set) {
@@ -135,8 +139,10 @@ INSTANTIATE_TEST_SUITE_P(Skin, EveryInstructionSet,
 
 TEST_P(EveryInstructionSet, BlendsAsTheFormulasSay) {
     for (const std::size_t joint_count : {24, 300, 70000}) // indices of one, two and four bytes
-        for (const int influences : {1, 4, 8}) {
-            Skinned mesh(517, joint_count, influences);
+        for (const auto& [influences, neighbours] :
+             {std::pair(1, Neighbours::unlike), std::pair(4, Neighbours::unlike), std::pair(8, Neighbours::unlike),
+              std::pair(1, Neighbours::alike), std::pair(4, Neighbours::alike), std::pair(8, Neighbours::alike)}) {
+            Skinned mesh(517, joint_count, influences, 1, neighbours);
             SkinJob job = mesh.job(SkinMethod::linear);
             job.instructions = GetParam();
             job.validate();
@@ -152,8 +158,10 @@ TEST_P(EveryInstructionSet, BlendsAsTheFormulasSay) {
 }
 
 TEST_P(EveryInstructionSet, ResultsDoNotDependOnRanges) {
-    for (const SkinMethod method : {SkinMethod::linear, SkinMethod::dual_quaternion}) {
-        Skinned mesh(331, 40, 4);
+    for (const auto& [method, neighbours] :
+         {std::pair(SkinMethod::linear, Neighbours::unlike), std::pair(SkinMethod::linear, Neighbours::alike),
+          std::pair(SkinMethod::dual_quaternion, Neighbours::unlike)}) {
+        Skinned mesh(331, 40, 4, 1, neighbours);
         SkinJob whole = mesh.job(method);
         whole.instructions = GetParam();
         whole.run();
