@@ -11,6 +11,7 @@ find_package(OpenImageIO REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(OSMesa REQUIRED)
 find_package(FFmpeg REQUIRED)
+find_package(Lua54 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
 include(HachurePackageFixes)
@@ -19,6 +20,6 @@ function(hachure_link_dependencies target)
   # Headers of the house name GLM, fmt and JSON types; the rest stays behind the .cpp files.
   target_link_libraries(${target}
     PUBLIC glm::glm fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
-    PRIVATE glfw OpenGL::EGL OSMesa::OSMesa OpenImageIO::OpenImageIO FFmpeg::FFmpeg TinyGLTF::TinyGLTF
+    PRIVATE glfw OpenGL::EGL OSMesa::OSMesa OpenImageIO::OpenImageIO FFmpeg::FFmpeg $<LINK_ONLY:Lua54::Lua54> TinyGLTF::TinyGLTF
       meshoptimizer::meshoptimizer TBB::tbb ZLIB::ZLIB ${CMAKE_DL_LIBS})
 endfunction()

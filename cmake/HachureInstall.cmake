@@ -16,6 +16,6 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/HachureConfig.cmake.in
   ${PROJECT_BINARY_DIR}/HachureConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/HachureConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/HachureConfig.cmake ${PROJECT_BINARY_DIR}/HachureConfigVersion.cmake
-  ${PROJECT_SOURCE_DIR}/cmake/FindOSMesa.cmake ${PROJECT_SOURCE_DIR}/cmake/FindFFmpeg.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/FindOSMesa.cmake ${PROJECT_SOURCE_DIR}/cmake/FindFFmpeg.cmake ${PROJECT_SOURCE_DIR}/cmake/FindLua54.cmake
   ${PROJECT_SOURCE_DIR}/cmake/HachurePackageFixes.cmake DESTINATION ${package_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

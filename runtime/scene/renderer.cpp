@@ -34,14 +34,20 @@ void Renderer::request_aov(std::string_view name) {
     requests.aovs.emplace(name);
 }
 
-void Renderer::render_frame(double delta_seconds) {
-    World& world = app_->world();
-    RenderContext& render = world.resource_mutable<RenderContext>();
-    FrameRequests& requests = world.resource_mutable<FrameRequests>();
-    requests.textures.clear();
+void Renderer::declare_frame(double delta_seconds) {
+    RenderContext& render = app_->world().resource_mutable<RenderContext>();
+    app_->world().resource_mutable<FrameRequests>().textures.clear();
     render.shaders->reload_changed();
     render.graph.begin_frame();
     app_->run_frame(delta_seconds);
+}
+
+void Renderer::skip_frame(double delta_seconds) { declare_frame(delta_seconds); }
+
+void Renderer::render_frame(double delta_seconds) {
+    declare_frame(delta_seconds);
+    RenderContext& render = app_->world().resource_mutable<RenderContext>();
+    const FrameRequests& requests = app_->world().resource<FrameRequests>();
     for (const std::string& name : requests.aovs) {
         const gpu::TextureHandle texture = render.graph.find(name);
         if (!texture) throw Error(name, "no system of this scene makes this AOV");

@@ -27,6 +27,10 @@ public:
     /// One frame, `delta_seconds` (0 or more) after the one before.
     void render_frame(double delta_seconds = 0);
 
+    /// The same without drawing: every system runs, no pass does. Later frames are as if it had been drawn; there is no
+    /// picture of it.
+    void skip_frame(double delta_seconds = 0);
+
     /// The picture of the last frame: u8, RGB, sRGB, as PNG files have it. Waits for the GPU.
     [[nodiscard]] assets::Image read_picture();
 
@@ -44,6 +48,9 @@ public:
     void finish();
 
 private:
+    /// Runs the systems, which declare the frame's passes.
+    void declare_frame(double delta_seconds);
+
     App* app_;
 };
 
