@@ -1,0 +1,24 @@
+#pragma once
+
+#include <hachure/runtime/assets/image.h>
+
+/// Whether two pictures are alike. A lost line is a small error on average, so no figure here is a mean: lines are held
+/// to a distance, tones to the worst percentile.
+namespace hachure::picture {
+
+struct PictureDifference {
+    double max_difference = 0.0;     ///< largest difference of a channel, in 255ths
+    double differing_fraction = 0.0; ///< of the pixels: those with a channel more than `same_driver_step` apart
+    double flip_p99 = 0.0;           ///< 99th percentile of the FLIP error
+    double flip_max = 0.0;
+    double line_distance = 0.0; ///< symmetric Hausdorff distance of the lines, pixels; infinite if one has none
+    bool finite = true;         ///< neither picture holds NaN or infinity
+};
+
+/// What the same driver may do between two runs or two ways to its context.
+inline constexpr double same_driver_step = 5.0; // 255ths
+
+/// Compares pictures of 3 or more channels and one size: u8 as sRGB, f32 as values in [0, 1] that are already encoded.
+[[nodiscard]] PictureDifference compare_pictures(const assets::Image& a, const assets::Image& b);
+
+} // namespace hachure::picture
