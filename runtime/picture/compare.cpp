@@ -2,6 +2,7 @@
 #include <hachure/runtime/picture/compare.h>
 #include <hachure/runtime/picture/flip.h>
 #include <hachure/runtime/picture/line_distance.h>
+#include <hachure/runtime/picture/percentile.h>
 #include <hachure/runtime/picture/pixels.h>
 
 #include <algorithm>
@@ -9,6 +10,43 @@
 #include <vector>
 
 namespace hachure::picture {
+namespace {
+
+/// `b` with the pixels of `a` wherever the mask hides them.
+assets::Image filled_from(const assets::Image& a, assets::Image b, const assets::Image& mask) {
+    for (std::size_t i = 0; i < pixel_count(b); ++i)
+        for (int c = 0; c < 3 && !is_seen(&mask, i); ++c) set_channel(b, i, c, channel(a, i, c));
+    return b;
+}
+
+/// The largest difference, and the share of pixels that differ by more than the step.
+struct Steps {
+    double largest = 0.0, fraction = 0.0;
+};
+
+Steps steps_between(const assets::Image& a, const assets::Image& b, int channels, double scale,
+                    const CompareOptions& options) {
+    Steps result;
+    std::size_t differing = 0, seen = 0;
+    for (std::size_t i = 0; i < pixel_count(a); ++i) {
+        if (!is_seen(options.mask, i)) continue;
+        double largest = 0.0;
+        for (int c = 0; c < channels; ++c)
+            largest = std::max(largest, scale * std::abs(channel(a, i, c) - channel(b, i, c)));
+        result.largest = std::max(result.largest, largest);
+        differing += largest > options.step + 1e-6 * std::min(1.0, options.step) ? 1 : 0;
+        ++seen;
+    }
+    if (seen > 0) result.fraction = static_cast<double>(differing) / static_cast<double>(seen);
+    return result;
+}
+
+void check_shapes(const assets::Image& a, const assets::Image& b, const CompareOptions& options) {
+    HACHURE_ASSERT(same_size(a, b), "pictures of one size are compared");
+    HACHURE_ASSERT(!options.mask || same_size(a, *options.mask), "a mask has its pictures' size");
+}
+
+} // namespace
 
 bool all_finite(const assets::Image& image) {
     if (image.type == assets::PixelType::u8) return true;
@@ -17,26 +55,36 @@ bool all_finite(const assets::Image& image) {
                        [](float value) { return std::isfinite(value); });
 }
 
-PictureDifference compare_pictures(const assets::Image& a, const assets::Image& b) {
-    HACHURE_ASSERT(same_size(a, b), "pictures of one size are compared");
-    HACHURE_ASSERT(a.channels >= 3 && b.channels >= 3, "colours are compared");
+PictureDifference compare_pictures(const assets::Image& a, const assets::Image& picture,
+                                   const CompareOptions& options) {
+    check_shapes(a, picture, options);
+    HACHURE_ASSERT(a.channels >= 3 && picture.channels >= 3, "colours are compared");
     PictureDifference result;
+    result.finite = all_finite(a) && all_finite(picture);
+    if (!result.finite) return result;
+    const assets::Image b = options.mask ? filled_from(a, picture, *options.mask) : picture;
+    const Steps steps = steps_between(a, b, 3, 255.0, options);
+    result.max_difference = steps.largest;
+    result.differing_fraction = steps.fraction;
+    const std::vector<float> map = flip_error(a, b);
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < map.size(); ++i)
+        if (is_seen(options.mask, i)) errors.push_back(static_cast<double>(map[i]));
+    result.flip_max = percentile(errors, 1.0);
+    result.flip_p99 = percentile(errors, 0.99);
+    result.line_distance = line_distance(a, b);
+    return result;
+}
+
+BufferDifference compare_buffers(const assets::Image& a, const assets::Image& b, const CompareOptions& options) {
+    check_shapes(a, b, options);
+    HACHURE_ASSERT(a.channels == b.channels, "buffers of one shape are compared");
+    BufferDifference result;
     result.finite = all_finite(a) && all_finite(b);
     if (!result.finite) return result;
-    std::size_t differing = 0;
-    for (std::size_t i = 0; i < pixel_count(a); ++i) {
-        double largest = 0.0;
-        for (int c = 0; c < 3; ++c) largest = std::max(largest, 255.0 * std::abs(channel(a, i, c) - channel(b, i, c)));
-        result.max_difference = std::max(result.max_difference, largest);
-        differing += largest > same_driver_step + 1e-6 ? 1 : 0;
-    }
-    result.differing_fraction = static_cast<double>(differing) / static_cast<double>(pixel_count(a));
-    std::vector<float> errors = flip_error(a, b);
-    result.flip_max = *std::ranges::max_element(errors);
-    const auto p99 = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() - 1) * 99 / 100);
-    std::ranges::nth_element(errors, p99);
-    result.flip_p99 = *p99;
-    result.line_distance = line_distance(a, b);
+    const Steps steps = steps_between(a, b, a.channels, 1.0, options);
+    result.max_difference = steps.largest;
+    result.differing_fraction = steps.fraction;
     return result;
 }
 

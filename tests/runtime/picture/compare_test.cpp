@@ -1,3 +1,4 @@
+#include <hachure/runtime/picture/difference_picture.h>
 #include <hachure/runtime/picture/line_distance.h>
 #include <hachure/tests/runtime/picture/drawing.h>
 #include <hachure/tests/support/picture_compare.h>
@@ -66,6 +67,68 @@ TEST(PictureCompare, CatchesNaNAndOtherSizes) {
 TEST(PictureCompare, AWhollyLostDrawingIsInfinitelyFar) {
     EXPECT_TRUE(std::isinf(picture::line_distance(drawing(0, true), filled({255, 255, 255}))));
     EXPECT_EQ(picture::line_distance(filled({255, 255, 255}), filled({200, 255, 255})), 0.0);
+}
+
+TEST(PictureCompare, AMaskHidesWhatItIsBlackOn) {
+    const assets::Image whole = drawing(0, true), lost = drawing(0, false);
+    assets::Image mask = filled({255, 255, 255});
+    for (int y = 0; y < height; ++y)
+        for (int x = 100; x < width; ++x) set(mask, x, y, 0);
+    const PictureDifference hidden = compare_pictures(whole, lost, {.mask = &mask});
+    EXPECT_EQ(hidden.max_difference, 0.0);
+    EXPECT_EQ(hidden.flip_max, 0.0);
+    EXPECT_EQ(hidden.line_distance, 0.0);
+    for (int i = 0; i < width * height * 3; ++i) mask.u8()[i] ^= 0xff;
+    const PictureDifference seen = compare_pictures(whole, lost, {.mask = &mask});
+    EXPECT_GT(seen.line_distance, 20.0);
+    EXPECT_GT(seen.differing_fraction, 2.0 * compare_pictures(whole, lost).differing_fraction)
+        << "a share of the pixels that are seen";
+}
+
+TEST(PictureCompare, AWhollyBlackMaskHidesAll) {
+    const assets::Image mask = filled({});
+    const PictureDifference d = compare_pictures(drawing(0, true), filled({1, 2, 3}), {.mask = &mask});
+    EXPECT_EQ(d.max_difference + d.differing_fraction + d.flip_p99 + d.line_distance, 0.0);
+}
+
+TEST(PictureCompare, GatesSayWhichOfThemFailed) {
+    const PictureDifference d = compare_pictures(drawing(0, true), drawing(1, true));
+    EXPECT_EQ(picture::exceeded_gates(d, {.share = 1.0, .flip_p99 = 1.0, .lines = 2.0}), "");
+    const std::string reason = picture::exceeded_gates(d, {.share = 1.0, .flip_p99 = 1.0, .lines = 0.5});
+    EXPECT_NE(reason.find("lines are 1 px apart, allowed are 0.5"), std::string::npos) << reason;
+    EXPECT_NE(picture::exceeded_gates({.finite = false}, {}), "");
+}
+
+TEST(BufferCompare, IsInTheBuffersOwnUnit) {
+    assets::Image a = assets::make_image(10, 10, 1, assets::PixelType::f32), b = a;
+    b.f32()[3] = 0.25f;
+    const picture::BufferDifference d = picture::compare_buffers(a, b, {.step = 0.2});
+    EXPECT_EQ(d.max_difference, 0.25);
+    EXPECT_EQ(d.differing_fraction, 0.01);
+    EXPECT_EQ(picture::compare_buffers(a, b, {.step = 0.25}).differing_fraction, 0.0);
+    b.f32()[4] = std::numeric_limits<float>::infinity();
+    EXPECT_FALSE(picture::compare_buffers(a, b, {.step = 0.2}).finite);
+}
+
+TEST(DifferencePicture, IsBrightWherePicturesDiffer) {
+    const assets::Image a = drawing(0, true), b = drawing(0, false);
+    const assets::Image d = picture::difference_picture(a, b);
+    const auto at = [&](int x, int y) { return int(d.u8()[3 * (y * width + x)]); };
+    EXPECT_EQ(at(110, 50), 255);
+    EXPECT_LT(at(80, 100), 32) << "equal pixels are dim";
+}
+
+TEST(Shrunk, KeepsMeansAndProportions) {
+    assets::Image image = filled({200, 100, 50});
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width / 2; ++x) set(image, x, y, 0);
+    const assets::Image small = picture::shrunk(image, 33);
+    EXPECT_EQ(small.width, 33);
+    EXPECT_EQ(small.height, 24);
+    EXPECT_EQ(small.u8()[0], 0);
+    EXPECT_EQ(small.u8()[3 * 32], 200);
+    EXPECT_EQ(small.u8()[3 * 16], 100) << "the middle pixel covers both halves";
+    EXPECT_EQ(picture::shrunk(image, 1000).width, width);
 }
 
 } // namespace
