@@ -97,7 +97,8 @@ private:
     [[nodiscard]] bool holds(const FieldValue& value, const std::vector<double>& all, PlayedFrame& frame) const {
         if (!has_wanted_)
             return std::ranges::all_of(all, [&](double v) {
-                return (!limits_.at_least || v >= *limits_.at_least) && (!limits_.at_most || v <= *limits_.at_most);
+                return (!limits_.at_least || v >= *limits_.at_least - tolerance_) &&
+                       (!limits_.at_most || v <= *limits_.at_most + tolerance_);
             });
         if (path_.field->kind == FieldKind::entity) {
             const Entity entity = std::get<Entity>(value);
