@@ -1,4 +1,5 @@
-# Embeds every file of shaders/ and every built-in style in the library, so that an installed program needs no data folder.
+# Embeds every file of shaders/ and every built-in style in the library, and what reports are made of in the program, so
+# that an installed program needs no data folder.
 
 # hachure_embed(OUT FOLDER HEADER FUNCTION TYPE [STEM] GLOB...): OUT is a generated .cpp that defines FUNCTION, declared
 # in HEADER: the table of the files of FOLDER that match, as {name, text}. STEM: names without folder and extension.

@@ -1,6 +1,7 @@
 #include <hachure/editor/command_line.h>
 #include <hachure/editor/info_command.h>
 #include <hachure/editor/list_command.h>
+#include <hachure/editor/play/play_command.h>
 #include <hachure/editor/render_command.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/error.h>
@@ -44,9 +45,11 @@ int run_command_line(int argc, char** argv) {
     app.set_version_flag("--version", std::string("hachure ") + HACHURE_VERSION);
     app.require_subcommand(1);
     RenderOptions render;
+    PlayCommandOptions play;
     InfoOptions info;
     ListOptions list;
     add_render_command(app, render);
+    add_play_command(app, play);
     add_info_command(app, info);
     add_list_command(app, list);
     try {
@@ -56,6 +59,7 @@ int run_command_line(int argc, char** argv) {
     }
     try {
         if (app.got_subcommand("render")) return run_render(render);
+        if (app.got_subcommand("play")) return run_play_command(play);
         if (app.got_subcommand("info")) return run_info(info);
         return run_list(list);
     } catch (const UsageError& error) {

@@ -7,12 +7,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <string_view>
 
 namespace hachure {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::array<std::string_view, 8> count_names{
+    "entities",      "surfaces_drawn",    "triangles_drawn",   "models_animated",
+    "clips_sampled", "surfaces_deformed", "vertices_deformed", "surfaces_deformed_on_gpu"};
 
 json pass_json(const gpu::PassStats& pass) {
     json result{{"name", pass.name},     {"state", std::string(gpu::to_string(pass.state))},
@@ -31,26 +36,29 @@ json frame_json(const FrameStats& frame) {
 
 } // namespace
 
+std::span<const std::string_view> frame_count_names() { return count_names; }
+
+std::map<std::string, std::uint64_t> frame_counts(const World& world) {
+    const DrawList& list = world.resource<DrawList>();
+    std::uint64_t triangles = 0;
+    for (const DrawItem& item : list.items) triangles += world.resource<MeshStore>().mesh(item.mesh).indices.size() / 3;
+    const AnimationCounts& animation = world.resource<AnimationCounts>();
+    const DeformCounts& deform = world.resource<DeformCounts>();
+    const std::array<std::uint64_t, count_names.size()> counts{world.size(),     list.items.size(), triangles,
+                                                               animation.models, animation.clips,   deform.surfaces,
+                                                               deform.vertices,  deform.on_gpu};
+    std::map<std::string, std::uint64_t> result;
+    for (std::size_t i = 0; i < counts.size(); ++i) result.emplace(count_names[i], counts[i]);
+    return result;
+}
+
 FrameStats frame_stats(App& app, Renderer& renderer, double ms) {
     FrameStats stats;
     stats.ms = ms;
     for (const SystemTime& time : app.schedule().times()) stats.systems.emplace_back(time.name, time.ms);
     const std::span<const gpu::PassStats> passes = renderer.pass_stats();
     stats.passes.assign(passes.begin(), passes.end());
-    const World& world = app.world();
-    const DrawList& list = world.resource<DrawList>();
-    std::uint64_t triangles = 0;
-    for (const DrawItem& item : list.items) triangles += world.resource<MeshStore>().mesh(item.mesh).indices.size() / 3;
-    const AnimationCounts& animation = world.resource<AnimationCounts>();
-    const DeformCounts& deform = world.resource<DeformCounts>();
-    stats.counts = {{"entities", world.size()},
-                    {"surfaces_drawn", list.items.size()},
-                    {"triangles_drawn", triangles},
-                    {"models_animated", animation.models},
-                    {"clips_sampled", animation.clips},
-                    {"surfaces_deformed", deform.surfaces},
-                    {"vertices_deformed", deform.vertices},
-                    {"surfaces_deformed_on_gpu", deform.on_gpu}};
+    stats.counts = frame_counts(app.world());
     return stats;
 }
 

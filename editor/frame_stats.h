@@ -10,6 +10,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hachure {
@@ -32,6 +33,12 @@ struct FrameStats {
     std::vector<gpu::PassStats> passes;
     std::map<std::string, std::uint64_t> counts;
 };
+
+/// How many things are in the world and were drawn in the last frame, by the names of `frame_count_names`.
+[[nodiscard]] std::map<std::string, std::uint64_t> frame_counts(const World& world);
+
+/// What is counted: "entities", "surfaces_drawn", "triangles_drawn", ...
+[[nodiscard]] std::span<const std::string_view> frame_count_names();
 
 /// Of the frame that the renderer drew last, which took `ms`; waits for the GPU's timers.
 [[nodiscard]] FrameStats frame_stats(App& app, Renderer& renderer, double ms);

@@ -1,7 +1,10 @@
 #include <hachure/editor/assignments.h>
+#include <hachure/editor/finished_frames.h>
 #include <hachure/editor/frame_output.h>
 #include <hachure/editor/frame_plan.h>
+#include <hachure/editor/frame_share.h>
 #include <hachure/editor/frame_stats.h>
+#include <hachure/editor/frame_walk.h>
 #include <hachure/editor/interrupt.h>
 #include <hachure/editor/load_model.h>
 #include <hachure/editor/playback_clock.h>
@@ -20,8 +23,10 @@
 #include <hachure/systems/styles/style.h>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <charconv>
+#include <cstdio>
 #include <optional>
 
 namespace hachure {
@@ -94,27 +99,64 @@ void load_scene(App& app, const RenderOptions& options, const assets::Model& mod
     apply_assignments(app.world(), assignments);
 }
 
-/// Draws the frames of the plan, hands them on, and writes the statistics when there is a file for them.
-void draw_frames(App& app, Renderer& renderer, const FramePlan& plan, const RenderOutputs& outputs,
-                 Progress& progress) {
+/// What one run draws.
+struct Work {
+    FramePlan plan;                   ///< its share of all frames
+    std::vector<std::int64_t> frames; ///< those of the plan that are wanted, ascending
+};
+
+/// Nothing, and a line on stdout that says why, where no frame is left to draw.
+std::optional<Work> find_work(App& app, const RenderOptions& options, const FramePlan& all,
+                              const RenderOutputs& outputs, Canvas canvas) {
+    Work work{all, {}};
+    if (!options.chunk.empty()) {
+        const std::optional<FramePlan> share = share_of(all, parse_frame_share(options.chunk));
+        if (!share) {
+            fmt::print("share {} of {} frames holds none: nothing to do\n", options.chunk, all.count());
+            return {};
+        }
+        work.plan = *share;
+    }
+    if (options.resume) {
+        Progress progress("looking at what is there");
+        work.frames = missing_frames(app, outputs, work.plan, canvas, progress);
+        if (work.frames.empty()) fmt::print("all {} frames are there: nothing to do\n", work.plan.count());
+        return work.frames.empty() ? std::nullopt : std::optional(work);
+    }
+    for (std::int64_t number = work.plan.first; number <= work.plan.last; ++number) work.frames.push_back(number);
+    return work;
+}
+
+FrameHistory history_of(const App& app) {
+    if (needs_stepping(app)) return FrameHistory::whole;
+    return app.world().resource<FrameRequests>().wants("velocity") ? FrameHistory::motion : FrameHistory::none;
+}
+
+/// Draws the frames, hands them on, and writes the statistics when there is a file for them.
+void draw_frames(App& app, Renderer& renderer, const Work& work, const RenderOutputs& outputs, Progress& progress) {
     const InterruptWatch watch;
-    FrameOutput output(app, renderer, outputs, plan);
+    FrameOutput output(app, renderer, outputs, work.plan);
     std::vector<FrameStats> stats;
-    const auto total = static_cast<std::size_t>(plan.count());
-    // Motion begins somewhere: the first frame's is that since the one before it.
-    if (plan.first > 0 && app.world().resource<FrameRequests>().wants("velocity"))
-        renderer.render_frame(seek(app, plan.seconds(plan.first - 1)));
-    for (std::int64_t number = plan.first; number <= plan.last; ++number) {
-        stop_when_interrupted();
-        if (total > 1) progress.step(static_cast<std::size_t>(number - plan.first), total);
+    std::size_t done = 0;
+    const auto draw = [&](const FrameStep& step) {
+        if (work.frames.size() > 1) progress.step(done, work.frames.size());
         const FrameClock clock;
-        renderer.render_frame(seek(app, plan.seconds(number)));
+        renderer.render_frame(seek(app, step.seconds));
         if (!outputs.stats.empty()) {
             renderer.finish();
             stats.push_back(frame_stats(app, renderer, clock.milliseconds()));
         }
-        output.take(number);
-    }
+        output.take(step.number);
+        ++done;
+    };
+    progress.stage("stepping");
+    walk_frames(work.plan, work.frames, history_of(app), [&](const FrameStep& step) {
+        stop_when_interrupted();
+        if (step.drawn && done == 0) progress.stage("drawing");
+        if (step.drawn) return draw(step);
+        if (done == 0) progress.step(static_cast<std::size_t>(step.number), static_cast<std::size_t>(work.plan.first));
+        renderer.skip_frame(seek(app, step.seconds));
+    });
     progress.stage("writing");
     if (!outputs.stats.empty()) write_stats(outputs.stats, stats, renderer.memory());
     output.finish();
@@ -152,13 +194,19 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
         ->add_option("--set", options.sets,
                      "PATH=VALUE: set component.field of all entities that carry it, or entity/component.field")
         ->allow_extra_args(false);
-    command->add_option("--stats", options.stats, "FILE.json: times and passes of each frame, memory");
+    command->add_option(
+        "--chunk", options.chunk,
+        "I/N: draw only share I (1 to N) of the frames of a numbered sequence; other runs draw the rest");
+    command->add_flag("--resume", options.resume,
+                      "keep the whole frames of a numbered sequence that are there and draw the others");
+    command->add_option("--stats", options.stats, "FILE.json: times and passes of each drawn frame, memory");
     command->add_option("--threads", options.threads, "use at most N threads (default: all); the picture is the same")
         ->type_name("N")
         ->check(CLI::Range(1, max_threads));
     command->footer("Examples: hachure render bunny.obj -o bunny.png --style gooch --set gooch.b=0.55 --size 1024x768\n"
                     "          hachure render fox.glb -o fox.mp4 --frames 0..119 --fps 30\n"
-                    "          hachure render fox.glb -o fox.####.png --frames 0..119 --aov depth=depth.####.exr");
+                    "          hachure render fox.glb -o fox.####.png --frames 0..119 --aov depth=depth.####.exr\n"
+                    "          hachure render fox.glb -o fox.####.png --frames 0..119 --chunk 2/4 --resume");
 }
 
 int run_render(const RenderOptions& options) {
@@ -174,7 +222,11 @@ int run_render(const RenderOptions& options) {
     check_style_name(options.style);
     const Style style = find_style(app.types(), options.style);
     check_outputs(app, outputs, plan);
+    if (!options.chunk.empty()) check_sequence("--chunk", outputs, plan);
+    if (options.resume) check_sequence("--resume", outputs, plan);
     check_input(options);
+    const std::optional<Work> work = find_work(app, options, plan, outputs, canvas);
+    if (!work) return 0;
 
     Progress progress("reading " + options.input.filename().string());
     const assets::Model model = assets::read_model(options.input);
@@ -183,8 +235,7 @@ int run_render(const RenderOptions& options) {
     check_size(canvas, *context);
     Renderer renderer(app, *context);
     load_scene(app, options, model, style, assignments, canvas);
-    progress.stage("drawing");
-    draw_frames(app, renderer, plan, outputs, progress);
+    draw_frames(app, renderer, *work, outputs, progress);
     return 0;
 }
 

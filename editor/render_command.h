@@ -24,7 +24,9 @@ struct RenderOptions {
     std::string time;   ///< seconds; empty: as the frames say
     std::string fps = "30";
     std::string clip;
-    int threads = 0; ///< at most so many; 0: as many as the hardware runs at once
+    std::string chunk;   ///< I/N; empty: all frames
+    bool resume = false; ///< keep the frames of a sequence that are there
+    int threads = 0;     ///< at most so many; 0: as many as the hardware runs at once
 };
 
 void add_render_command(CLI::App& app, RenderOptions& options);

@@ -96,4 +96,14 @@ void check_outputs(App& app, const RenderOutputs& outputs, const FramePlan& plan
     }
 }
 
+void check_sequence(const std::string& option, const RenderOutputs& outputs, const FramePlan& plan) {
+    if (!plan.numbered) throw UsageError(option + ": say which frames the sequence has, --frames A..B");
+    std::vector<std::filesystem::path> patterns{outputs.picture};
+    for (const AovOutput& aov : outputs.aovs) patterns.push_back(aov.file);
+    for (const std::filesystem::path& pattern : patterns)
+        if (assets::count_number_fields(pattern) == 0)
+            throw UsageError(option + ": is for numbered pictures, out.####.png, and '" + pattern.string() +
+                             "' is none");
+}
+
 } // namespace hachure

@@ -30,4 +30,8 @@ struct RenderOutputs {
 /// rates that a GIF can't have), files that would be written twice; Error for folders that can't be written to.
 void check_outputs(App& app, const RenderOutputs& outputs, const FramePlan& plan);
 
+/// For `option`, which is about the single frames of a sequence: throws UsageError unless the plan counts frames and
+/// every picture and buffer has a number in its name.
+void check_sequence(const std::string& option, const RenderOutputs& outputs, const FramePlan& plan);
+
 } // namespace hachure

@@ -115,6 +115,8 @@ void write_exr(const std::filesystem::path& path, const Image& image, std::span<
     OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
     spec.channelnames.assign(channel_names.begin(), channel_names.end());
     spec.attribute("compression", "zip");
+    // OpenImageIO would say when it was: the same image would never be the same file again.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
     write_file_atomically(path, encode("exr", spec, image, path));
 }
 

@@ -25,8 +25,8 @@ inline constexpr std::int64_t max_image_pixels = std::int64_t{1} << 27;
 /// not at all.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// A ZIP-compressed 32-bit float EXR. `channel_names` has one name per channel ("R", "G", "B"; "Z"; ...). The file
-/// appears whole or not at all.
+/// A ZIP-compressed 32-bit float EXR. `channel_names` has one name per channel ("R", "G", "B"; "Z"; ...). The same
+/// image gives the same bytes whenever it is written. The file appears whole or not at all.
 void write_exr(const std::filesystem::path& path, const Image& image, std::span<const std::string> channel_names);
 
 } // namespace hachure::assets

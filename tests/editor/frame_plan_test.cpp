@@ -1,8 +1,5 @@
 #include <hachure/editor/frame_plan.h>
-#include <hachure/editor/playback_clock.h>
 #include <hachure/editor/usage_error.h>
-#include <hachure/runtime/ecs/time.h>
-#include <hachure/runtime/error.h>
 
 #include <gtest/gtest.h>
 
@@ -37,16 +34,6 @@ TEST(FramePlan, RefusesTheRest) {
         EXPECT_THROW(static_cast<void>(parse_frame_plan("", time, "30")), UsageError) << time;
     for (const char* fps : {"0", "-5", "1001", "fast", "", "30/0"})
         EXPECT_THROW(static_cast<void>(parse_frame_plan("", "", fps)), UsageError) << fps;
-}
-
-TEST(PlaybackClock, SeeksFromWhereverItIs) {
-    App app;
-    app.run_frame(seek(app, 0.5));
-    EXPECT_EQ(app.world().resource<Time>().elapsed, 0.5);
-    for (const double seconds : {0.5, 0.75, 100.0, 100.1}) {
-        app.run_frame(seek(app, seconds));
-        EXPECT_DOUBLE_EQ(app.world().resource<Time>().elapsed, seconds);
-    }
 }
 
 } // namespace

@@ -43,6 +43,27 @@ inline std::string two_squares_glb() {
                positions + indices);
 }
 
+/// The first of them alone, which a clip of one second moves from left to right before the same camera.
+inline std::string moving_square_glb() {
+    const std::string positions = glb_detail::bytes(std::vector<float>{-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0});
+    const std::string indices = glb_detail::bytes(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3});
+    const std::string keys = glb_detail::bytes(std::vector<float>{0, 1, -1, 0, 0, 1, 0.1f, 0});
+    return glb(R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 92}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12},
+                        {"buffer": 0, "byteOffset": 60, "byteLength": 8}, {"buffer": 0, "byteOffset": 68, "byteLength": 24}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                      {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
+                      {"bufferView": 2, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+                      {"bufferView": 3, "componentType": 5126, "count": 2, "type": "VEC3"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "cameras": [{"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 1, "znear": 0.1, "zfar": 10}}],
+        "animations": [{"name": "slide", "samplers": [{"input": 2, "output": 3}],
+                        "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}],
+        "nodes": [{"name": "square", "mesh": 0}, {"name": "eye", "camera": 0, "translation": [0, 0, 5]}],
+        "scenes": [{"nodes": [0, 1]}], "scene": 0})",
+               positions + indices + keys);
+}
+
 /// The JSON of a triangle.
 inline std::string triangle_json() {
     return R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 44}],

@@ -72,6 +72,14 @@ TEST(ImageFile, ExrRoundTripIsExact) {
     EXPECT_TRUE(read.pixels == image.pixels);
 }
 
+/// OpenImageIO notes the time, to the second, unless it is told one.
+TEST(ImageFile, ExrFilesDoNotSayWhenTheyWereWritten) {
+    const TempFolder folder;
+    const Image image = make_image(2, 2, 1, PixelType::f32);
+    write_exr(folder / "i.exr", image, std::vector<std::string>{"Z"});
+    EXPECT_NE(test::file_text(folder / "i.exr").find("1970:01:01 00:00:00"), std::string::npos);
+}
+
 TEST(ImageFile, MemoryReadsAsTheFileDoes) {
     const TempFolder folder;
     write_png(folder / "i.png", noise_u8(8, 8, 3));

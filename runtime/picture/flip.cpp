@@ -1,3 +1,5 @@
+#include <hachure/runtime/picture/flip.h>
+
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
@@ -8,11 +10,9 @@
 #include <numbers>
 #include <span>
 
-#include "picture_compare.h"
-
 // LDR-FLIP; names and figures are those of the paper and of its reference implementation. All filters are sums of
 // separable ones.
-namespace hachure::test {
+namespace hachure::picture {
 namespace {
 
 using glm::dvec3;
@@ -210,4 +210,4 @@ std::vector<float> flip_error(const assets::Image& a, const assets::Image& b) {
     return errors;
 }
 
-} // namespace hachure::test
+} // namespace hachure::picture

@@ -1,0 +1,106 @@
+#include <hachure/editor/play/report_curve.h>
+#include <hachure/editor/play/report_expectation.h>
+#include <hachure/editor/play/report_html.h>
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace hachure::play {
+namespace {
+
+std::string button(std::string_view attributes, std::string_view text) {
+    return fmt::format("<button type=\"button\" {}>{}</button>", attributes, text);
+}
+
+std::string figure_row(std::string_view name, const std::string& value) {
+    return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, value);
+}
+
+std::string picture_figures(const PictureEvidence& picture) {
+    return "<dl class=\"figures\">" + figure_row("largest difference", html_number(picture.max_difference) + " / 255") +
+           figure_row("pixels that differ", html_number(100.0 * picture.differing_share) + " %") +
+           figure_row("FLIP, 99th percentile", html_number(picture.flip_p99)) +
+           figure_row("FLIP, worst", html_number(picture.flip_max)) +
+           figure_row("distance of lines", html_number(picture.line_distance) + " px") + "</dl>";
+}
+
+/// Golden and actual picture on one another, parted by a line that is dragged, or side by side, or in turns.
+std::string wiping(const PictureEvidence& picture) {
+    return "<figure class=\"pair\"><div class=\"stage\">" +
+           html_picture(picture.golden, "golden picture", "class=\"golden\"") +
+           html_picture(picture.actual, "actual picture", "class=\"actual\"") +
+           "<input type=\"range\" class=\"wipe\" min=\"0\" max=\"100\" step=\"0.5\" value=\"50\" "
+           "aria-label=\"how much of the golden picture is shown, percent\"><i class=\"edge\"></i></div>"
+           "<figcaption><span>golden</span><span>actual</span></figcaption></figure>";
+}
+
+std::string comparison(const PictureEvidence& picture) {
+    return "<div class=\"compare\" data-mode=\"wipe\"><div class=\"tools\" role=\"group\" aria-label=\"how to "
+           "compare\">" +
+           button("data-mode=\"wipe\" aria-pressed=\"true\"", "Wipe") +
+           button("data-mode=\"beside\" aria-pressed=\"false\"", "Side by side") +
+           button("data-mode=\"blink\" aria-pressed=\"false\"", "Blink") +
+           "<label class=\"check\"><input type=\"checkbox\" class=\"brighten\"> Brighten difference</label></div>"
+           "<div class=\"pictures\">" +
+           wiping(picture) + "<figure class=\"difference\"><div class=\"stage\">" +
+           html_picture(picture.difference, "difference", "class=\"difference\"") +
+           "</div><figcaption><span>difference</span></figcaption></figure></div>" + picture_figures(picture) +
+           "</div>";
+}
+
+std::string film_tools() {
+    return "<div class=\"tools\" role=\"group\" aria-label=\"play the frames\">" +
+           button("class=\"back\" aria-label=\"previous frame\" title=\"previous frame (left)\"", "‹") +
+           button("class=\"play\" aria-pressed=\"false\" title=\"play and pause (space)\"", "Play") +
+           button("class=\"next\" aria-label=\"next frame\" title=\"next frame (right)\"", "›") +
+           "<label>Speed <select class=\"speed\"><option value=\"2\">2 / s</option><option value=\"5\">5 / s</option>"
+           "<option value=\"12\" selected>12 / s</option><option value=\"30\">30 / s</option>"
+           "<option value=\"60\">60 / s</option></select></label>"
+           "<label>Show <select class=\"layer\"><option value=\"frame\" selected>frames</option>"
+           "<option value=\"onion\">onion skin</option><option value=\"change\">what changes</option></select></label>"
+           "<output></output></div>";
+}
+
+/// The frames lie on one another; the page's scripts show one of them, or it over the one before.
+std::string film(const ExpectationResult& expectation) {
+    std::string html = fmt::format("<div class=\"film\" data-first=\"{}\">{}<div class=\"stage\" tabindex=\"0\" "
+                                   "role=\"group\" aria-label=\"frames\">",
+                                   expectation.first_frame, film_tools());
+    for (std::size_t i = 0; i < expectation.frames.size(); ++i) {
+        const std::int64_t frame = expectation.first_frame + static_cast<std::int64_t>(i);
+        html += html_picture(expectation.frames[i], fmt::format("frame {}", frame), i == 0 ? "class=\"shown\"" : "");
+    }
+    return html + fmt::format("</div><input type=\"range\" class=\"seek\" min=\"0\" max=\"{}\" step=\"1\" value=\"0\" "
+                              "aria-label=\"frame\"></div>",
+                              expectation.frames.size() - 1);
+}
+
+std::string verdict(const ExpectationResult& expectation) {
+    if (!expectation.passed) return "failed";
+    return expectation.renewed ? "renewed" : "passed";
+}
+
+std::string heading(const ExpectationResult& expectation) {
+    return fmt::format("<span class=\"mark\" role=\"img\" aria-label=\"{0}\"></span>"
+                       "<span class=\"what\">{1}</span><span class=\"kind\">{2}</span>{3}"
+                       "<span class=\"reason\">{4}</span>",
+                       verdict(expectation), html_text(expectation.what), html_text(expectation.kind),
+                       expectation.renewed ? "<span class=\"chip\">renewed</span>" : "", html_text(expectation.reason));
+}
+
+} // namespace
+
+std::string html_expectation(const ExpectationResult& expectation) {
+    std::string inside;
+    if (expectation.picture) inside += comparison(*expectation.picture);
+    if (!expectation.frames.empty()) inside += film(expectation);
+    for (const Curve& curve : expectation.curves) inside += html_curve(curve);
+    if (!expectation.pointer.empty())
+        inside += "<p class=\"pointer\">in the play file: <code>" + html_text(expectation.pointer) + "</code></p>";
+    return fmt::format(
+        "<details class=\"expectation {}\"{}><summary>{}</summary><div class=\"inside\">{}</div></details>\n",
+        verdict(expectation), expectation.passed ? "" : " open", heading(expectation), inside);
+}
+
+} // namespace hachure::play
