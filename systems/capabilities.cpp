@@ -11,6 +11,7 @@
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/scene/scene.h>
 #include <hachure/systems/surface/surface.h>
+#include <hachure/systems/timeline/timeline.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/systems/velocity/velocity.h>
 
@@ -20,6 +21,7 @@ void register_capabilities(App& app) {
     app.add_component<Name>();
     register_scene(app);
     register_transform(app);
+    register_timeline(app);
     register_animation(app);
     register_deform(app);
     register_curvature(app);
