@@ -10,6 +10,7 @@
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/scene/scene.h>
+#include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
 #include <hachure/systems/transform/transform.h>
@@ -22,6 +23,7 @@ void register_capabilities(App& app) {
     register_scene(app);
     register_transform(app);
     register_timeline(app);
+    register_script(app);
     register_animation(app);
     register_deform(app);
     register_curvature(app);

@@ -5,9 +5,17 @@
 
 namespace hachure {
 
-void log_warning(std::string_view message) {
+namespace {
+
+void print_line(const char* kind, std::string_view message) {
     // Error's text is one line whatever a file put into the message.
-    std::fprintf(stderr, "hachure: warning: %s\n", Error(message).what());
+    std::fprintf(stderr, "hachure: %s: %s\n", kind, Error(message).what());
 }
+
+} // namespace
+
+void log_warning(std::string_view message) { print_line("warning", message); }
+
+void log_note(std::string_view message) { print_line("note", message); }
 
 } // namespace hachure
