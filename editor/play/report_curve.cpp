@@ -52,10 +52,10 @@ Scale scale_of(const Curve& curve) {
         low -= room;
         high += room;
     }
-    if (curve.at_most && high <= *curve.at_most) high += 0.12 * (high - low); // room to see what is not allowed
-    if (curve.at_least && low >= *curve.at_least) low -= 0.12 * (high - low);
     const double step = nice_step(high - low, value_intervals);
-    return {std::floor(low / step + 1e-9) * step, std::ceil(high / step - 1e-9) * step, step};
+    const double room = 0.12 * (high - low); // to see what is not allowed
+    return {curve.at_least ? low - room : std::floor(low / step + 1e-9) * step,
+            curve.at_most ? high + room : std::ceil(high / step - 1e-9) * step, step};
 }
 
 /// Percent from the left of value number `i`.
@@ -110,13 +110,10 @@ std::string limits(const Curve& curve, const Scale& scale) {
 
 std::string value_axis(const Scale& scale) {
     std::string html;
-    const auto count = std::llround((scale.high - scale.low) / scale.step);
-    for (long long i = 0; i <= count; ++i) {
-        const double value = scale.low + scale.step * static_cast<double>(i);
-        const double shown = std::abs(value) < 1e-9 * scale.step ? 0.0 : value;
-        html +=
-            fmt::format("<i class=\"grid\" style=\"top:{0:.3f}%\"><b>{1}</b></i>", scale.at(value), html_number(shown));
-    }
+    const double last = std::floor(scale.high / scale.step + 1e-9);
+    for (double i = std::ceil(scale.low / scale.step - 1e-9); i <= last; ++i)
+        html += fmt::format("<i class=\"grid\" style=\"top:{:.3f}%\"><b>{}</b></i>", scale.at(i * scale.step),
+                            html_number(i == 0.0 ? 0.0 : i * scale.step)); // no "-0"
     return html;
 }
 
@@ -143,14 +140,16 @@ std::string values_text(const Curve& curve) {
 
 } // namespace
 
-std::size_t values_outside(const Curve& curve) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(curve.values, [&](double value) { return outside(curve, value); }));
+std::vector<std::int64_t> frames_outside(const Curve& curve) {
+    std::vector<std::int64_t> frames;
+    for (std::size_t i = 0; i < curve.values.size(); ++i)
+        if (outside(curve, curve.values[i])) frames.push_back(curve.first_frame + static_cast<std::int64_t>(i));
+    return frames;
 }
 
 std::string html_curve(const Curve& curve) {
     const Scale scale = scale_of(curve);
-    const std::size_t wrong = values_outside(curve);
+    const std::size_t wrong = frames_outside(curve).size();
     const std::string unit = curve.unit.empty() ? "" : " <small>" + html_text(curve.unit) + "</small>";
     const std::string verdict =
         wrong == 0 ? "" : fmt::format("<span class=\"wrong\">{} of {} outside</span>", wrong, curve.values.size());

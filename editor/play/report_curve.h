@@ -2,7 +2,9 @@
 
 #include <hachure/editor/play/play_result.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace hachure::play {
 
@@ -10,7 +12,7 @@ namespace hachure::play {
 /// shaded. The page's scripts add a cursor that tells the values.
 [[nodiscard]] std::string html_curve(const Curve& curve);
 
-/// How many of its values lie outside its limits; what is no number does where there are limits.
-[[nodiscard]] std::size_t values_outside(const Curve& curve);
+/// The frames whose values lie outside its limits, ascending; what is no number does where there are limits.
+[[nodiscard]] std::vector<std::int64_t> frames_outside(const Curve& curve);
 
 } // namespace hachure::play

@@ -54,11 +54,11 @@ std::string film_tools() {
            button("class=\"back\" aria-label=\"previous frame\" title=\"previous frame (left)\"", "‹") +
            button("class=\"play\" aria-pressed=\"false\" title=\"play and pause (space)\"", "Play") +
            button("class=\"next\" aria-label=\"next frame\" title=\"next frame (right)\"", "›") +
-           "<label>Speed <select class=\"speed\"><option value=\"2\">2 / s</option><option value=\"5\">5 / s</option>"
-           "<option value=\"12\" selected>12 / s</option><option value=\"30\">30 / s</option>"
-           "<option value=\"60\">60 / s</option></select></label>"
-           "<label>Show <select class=\"layer\"><option value=\"frame\" selected>frames</option>"
-           "<option value=\"onion\">onion skin</option><option value=\"change\">what changes</option></select></label>"
+           "<select class=\"speed\" aria-label=\"speed\"><option value=\"2\">2 a second</option>"
+           "<option value=\"5\">5 a second</option><option value=\"12\" selected>12 a second</option>"
+           "<option value=\"30\">30 a second</option><option value=\"60\">60 a second</option></select>"
+           "<select class=\"layer\" aria-label=\"what is shown\"><option value=\"frame\" selected>frames</option>"
+           "<option value=\"onion\">onion skin</option><option value=\"change\">what changes</option></select>"
            "<output></output></div>";
 }
 
@@ -82,20 +82,21 @@ std::string verdict(const ExpectationResult& expectation) {
 }
 
 std::string heading(const ExpectationResult& expectation) {
-    return fmt::format("<span class=\"mark\" role=\"img\" aria-label=\"{0}\"></span>"
-                       "<span class=\"what\">{1}</span><span class=\"kind\">{2}</span>{3}"
-                       "<span class=\"reason\">{4}</span>",
-                       verdict(expectation), html_text(expectation.what), html_text(expectation.kind),
-                       expectation.renewed ? "<span class=\"chip\">renewed</span>" : "", html_text(expectation.reason));
+    return fmt::format("<span class=\"mark\" role=\"img\" aria-label=\"{}\"></span><span class=\"what\">{}</span>"
+                       "<span class=\"tags\">{}<span class=\"kind\">{}</span></span><span class=\"reason\">{}</span>",
+                       verdict(expectation), html_text(expectation.what),
+                       expectation.renewed ? "<span class=\"chip\">renewed</span>" : "", html_text(expectation.kind),
+                       html_text(expectation.reason));
 }
 
 } // namespace
 
 std::string html_expectation(const ExpectationResult& expectation) {
-    std::string inside;
+    std::string inside, curves;
     if (expectation.picture) inside += comparison(*expectation.picture);
     if (!expectation.frames.empty()) inside += film(expectation);
-    for (const Curve& curve : expectation.curves) inside += html_curve(curve);
+    for (const Curve& curve : expectation.curves) curves += html_curve(curve);
+    if (!curves.empty()) inside += "<div class=\"values\">" + curves + "</div>";
     if (!expectation.pointer.empty())
         inside += "<p class=\"pointer\">in the play file: <code>" + html_text(expectation.pointer) + "</code></p>";
     return fmt::format(

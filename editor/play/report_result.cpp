@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace hachure::play {
 namespace {
@@ -22,7 +24,7 @@ std::string facts(const PlayResult& result) {
     const std::string size = result.width > 0 ? fmt::format("{} × {}", result.width, result.height) : "";
     return "<dl class=\"facts\">" + fact("file", html_path(result.file)) +
            fact("frames", fmt::format("{}", result.frames)) + fact("size", size) +
-           fact("time", html_seconds(result.seconds)) + fact("renderer", html_text(result.renderer)) + "</dl>\n";
+           fact("renderer", html_text(result.renderer)) + "</dl>\n";
 }
 
 std::string expectations(const PlayResult& result) {
@@ -34,33 +36,46 @@ std::string expectations(const PlayResult& result) {
     return html;
 }
 
-/// Whether a failed expectation is about this frame.
-bool fails_at(const PlayResult& result, std::int64_t frame) {
-    return std::ranges::any_of(result.expectations, [&](const ExpectationResult& expectation) {
-        return !expectation.passed && expectation.first_frame <= frame && frame <= expectation.last_frame;
-    });
+/// Whether an expectation failed in [first, end): by its curves where they tell the frames, else anywhere it looks.
+bool fails_in(const ExpectationResult& expectation, std::int64_t first, std::int64_t end) {
+    std::vector<std::int64_t> frames;
+    for (const Curve& curve : expectation.curves) std::ranges::copy(frames_outside(curve), std::back_inserter(frames));
+    if (expectation.passed) return false;
+    if (frames.empty()) return expectation.first_frame < end && expectation.last_frame >= first;
+    return std::ranges::any_of(frames, [&](std::int64_t frame) { return first <= frame && frame < end; });
 }
 
+/// A picture stands for the frames up to the next one.
 std::string film_strip(const PlayResult& result) {
-    if (result.strip.empty()) return "";
     std::string html = "<div class=\"strip\" tabindex=\"0\" role=\"group\" aria-label=\"film strip\">";
-    for (const StripFrame& frame : result.strip)
-        html += fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>",
-                            fails_at(result, frame.frame) ? " class=\"wrong\"" : "",
+    for (std::size_t i = 0; i < result.strip.size(); ++i) {
+        const StripFrame& frame = result.strip[i];
+        const std::int64_t end = i + 1 < result.strip.size() ? result.strip[i + 1].frame : result.frames;
+        const bool wrong = std::ranges::any_of(result.expectations, [&](const ExpectationResult& expectation) {
+            return fails_in(expectation, frame.frame, end);
+        });
+        html += fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>", wrong ? " class=\"wrong\"" : "",
                             html_picture(frame.picture, fmt::format("frame {}", frame.frame)), frame.frame);
-    return html + "</div>";
+    }
+    return result.strip.empty() ? "" : html + "</div>";
 }
 
 std::string milliseconds(double sum) { return sum > 0.0 ? fmt::format("{:.2f}", sum) : "–"; }
 
-/// The bar shows the frames in which the pass ran, was reused and was culled.
+/// The frames in which the pass ran, was reused and was culled, as lengths.
+std::string pass_bar(const PassSummary& pass) {
+    std::string html;
+    for (const auto& [name, frames] :
+         {std::pair("run", pass.run), std::pair("reused", pass.reused), std::pair("culled", pass.culled)})
+        if (frames > 0) html += fmt::format("<i class=\"{}\" style=\"flex-grow:{}\"></i>", name, frames);
+    return "<span class=\"bar\" aria-hidden=\"true\">" + html + "</span>";
+}
+
 std::string pass_row(const PassSummary& pass) {
-    return fmt::format("<tr><th scope=\"row\">{0}</th><td class=\"share\"><span class=\"bar\" aria-hidden=\"true\">"
-                       "<i class=\"run\" style=\"flex-grow:{1}\"></i><i class=\"reused\" style=\"flex-grow:{2}\"></i>"
-                       "<i class=\"culled\" style=\"flex-grow:{3}\"></i></span></td>"
-                       "<td>{1}</td><td>{2}</td><td>{3}</td><td>{4}</td><td>{5}</td></tr>",
-                       html_text(pass.name), pass.run, pass.reused, pass.culled, milliseconds(pass.cpu_ms),
-                       milliseconds(pass.gpu_ms));
+    return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"share\">{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                       "<td>{}</td><td>{}</td></tr>",
+                       html_text(pass.name), pass_bar(pass), pass.run, pass.reused, pass.culled,
+                       milliseconds(pass.cpu_ms), milliseconds(pass.gpu_ms));
 }
 
 std::string pass_table(const PlayResult& result) {

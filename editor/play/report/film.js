@@ -14,6 +14,7 @@ for (const film of document.querySelectorAll(".film")) {
     });
     seek.value = now;
     film.querySelector("output").value = `frame ${first + now}`;
+    film.dispatchEvent(new CustomEvent("frame", { bubbles: true, detail: first + now }));
   };
   const run = (running) => {
     clearInterval(timer);
@@ -41,6 +42,11 @@ for (const film of document.querySelectorAll(".film")) {
     if (!keys[event.key]) return;
     event.preventDefault();
     keys[event.key]();
+  });
+  film.closest(".inside").addEventListener("seek", (event) => {
+    if (event.detail < first || event.detail >= first + frames.length) return;
+    run(false);
+    show(event.detail - first);
   });
   film.dataset.layer = layer.value;
   show(Number(seek.value));

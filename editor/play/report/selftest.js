@@ -12,11 +12,11 @@ if (location.hash === "#selftest") (async () => {
     wipe.value = 20;
     wipe.dispatchEvent(new Event("input"));
     expect(getComputedStyle(actual).clipPath.replace(/ /g, "").includes("20%"), "the slider does not wipe");
+    one(".compare").scrollIntoView({ block: "center" });
     const edge = one(".edge").getBoundingClientRect(), stage = wipe.parentElement.getBoundingClientRect();
     expect(Math.abs(edge.left + 1 - stage.left - 0.2 * stage.width) < 2, "the line is not where the wipe is");
-    const middle = document.elementFromPoint(stage.left + stage.width / 2, Math.max(stage.top, 0) + 20);
-    one(".compare").scrollIntoView();
-    expect(!middle || middle === wipe || !one(".stage").contains(middle), "the pictures can't be dragged on");
+    const middle = document.elementFromPoint(stage.left + stage.width / 2, stage.top + stage.height / 2);
+    expect(middle === wipe, "the pictures can't be dragged on");
     one("button[data-mode=beside]").click();
     expect(getComputedStyle(actual).clipPath === "none" && !seen(wipe), "side by side is still wiped");
     const golden = one(".pair .golden").getBoundingClientRect();
@@ -68,6 +68,10 @@ if (location.hash === "#selftest") (async () => {
     expect(curve.querySelector("output").value.includes(Number(values[0])), "no cursor by key");
     plot.dispatchEvent(new PointerEvent("pointerleave"));
     expect(curve.querySelector("output").value === "", "the cursor stays");
+    const film = one(".film"), beside = film.closest(".inside").querySelector(".curve");
+    key(beside.querySelector(".plot"), "End");
+    expect(film.querySelector("output").value === beside.querySelector("output").value.split(":")[0],
+      "film and curve are not at one frame");
   };
 
   const filtering = () => {

@@ -37,7 +37,7 @@ TEST(ReportCurve, TheLineGoesThroughTheValues) {
 TEST(ReportCurve, FramesOutsideTheLimitsAreShaded) {
     const Curve curve{.name = "c", .values = {1, 9, 9, 1, -3, 1, 1, 1, 1, 1, 1}, .at_least = 0.0, .at_most = 8.0};
     const std::string html = html_curve(curve);
-    EXPECT_EQ(values_outside(curve), 3u);
+    EXPECT_EQ(frames_outside(curve), (std::vector<std::int64_t>{1, 2, 4}));
     EXPECT_EQ(count(html, "class=\"band\""), 2u);
     EXPECT_NE(html.find("left:5.000%;width:20.000%"), std::string::npos) << html; // frames 1 and 2, half way around
     EXPECT_NE(html.find("left:35.000%;width:10.000%"), std::string::npos) << html;
