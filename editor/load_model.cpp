@@ -7,7 +7,6 @@
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/model/clip_points.h>
-#include <hachure/systems/model/spawn_model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +27,9 @@ bool fits(const glm::vec3& point) {
 /// A model that moves: from the pose of the clip's start, without a fade to it.
 void play(World& world, const assets::Model& model, SpawnedModel& spawned, const std::filesystem::path& file,
           std::string clip) {
+    const bool chosen = !clip.empty();
+    // What a file plays by itself it plays as it says, with its speed and all.
+    if (const Animation* own = world.find<Animation>(spawned.root); own && !chosen) clip = own->clip;
     if (clip.empty() && spawned.clips.empty()) return;
     if (clip.empty()) clip = spawned.clips.front();
     if (std::ranges::find(spawned.clips, clip) == spawned.clips.end()) {
@@ -38,24 +40,33 @@ void play(World& world, const assets::Model& model, SpawnedModel& spawned, const
     // The camera is to see all of the clip, not only how the model stands at rest.
     const animation::ClipSet& set = world.resource<ClipStore>().clips(world.get<Rig>(spawned.root).clips).set;
     spawned.points = clip_points(model, set, set.clips[*animation::find_clip(set, clip)]);
+    if (!chosen && world.has<Animation>(spawned.root)) {
+        world.get_mutable<Animation>(spawned.root).clip = std::move(clip);
+        return;
+    }
     world.add(spawned.root, Animation{.clip = std::move(clip)});
+    std::erase_if(spawned.extras, [&](const ModelExtra& extra) {
+        return extra.entity == spawned.root && extra.type->name == "animation";
+    });
 }
 
 } // namespace
 
-void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas,
-                const std::optional<std::string>& clip) {
+SpawnedModel load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas,
+                        const std::optional<std::string>& clip) {
     World& world = app.world();
     world.set_resource(canvas);
-    SpawnedModel spawned = spawn_model(world, model);
+    SpawnedModel spawned = spawn_model(world, model, &app.types());
     for (const std::string& warning : model.warnings) log_warning(file.string() + ": " + warning);
     for (const std::string& warning : spawned.warnings) log_warning(file.string() + ": " + warning);
     if (spawned.points.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
     if (!std::ranges::all_of(spawned.points, fits))
         throw Error(file.string(), "is too large to be drawn: a vertex lies more than 1e15 m from the origin");
-    if (clip) play(world, model, spawned, file, *clip);
+    const Animation* own = world.find<Animation>(spawned.root);
+    if (clip || (own && !own->clip.empty())) play(world, model, spawned, file, clip.value_or(""));
     if (spawned.cameras.empty()) spawn_framing_camera(world, spawned.points, canvas);
     if (spawned.lights.empty()) spawn_default_light(world);
+    return spawned;
 }
 
 } // namespace hachure

@@ -89,8 +89,9 @@ void load_scene(App& app, const RenderOptions& options, const assets::Model& mod
     std::optional<std::string> clip;
     // Who asks for a moment, or for many, wants to see what moves.
     if (!options.clip.empty() || !options.frames.empty() || !options.time.empty()) clip = options.clip;
-    load_model(app, model, options.input, canvas, clip);
+    const SpawnedModel spawned = load_model(app, model, options.input, canvas, clip);
     apply_style(app.world(), app.types(), style);
+    apply_model_extras(app.world(), spawned.extras);
     apply_assignments(app.world(), assignments);
 }
 

@@ -17,6 +17,7 @@
 #include <hachure/systems/model/surface_material.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -55,10 +56,11 @@ template <class R> R& resource_of(World& world) {
 
 class Spawner {
 public:
-    Spawner(World& world, const Model& model)
-        : world_(world), model_(model), matrices_(node_matrices(model.nodes)), store_(resource_of<MeshStore>(world)),
-          materials_(model, store_, result_.warnings), nodes_(model.nodes.size(), Entity::null),
-          morphs_(model.nodes.size(), Entity::null), surfaces_(model.nodes.size(), Entity::null) {}
+    Spawner(World& world, const Model& model, const TypeRegistry* types)
+        : world_(world), model_(model), types_(types), matrices_(node_matrices(model.nodes)),
+          store_(resource_of<MeshStore>(world)), materials_(model, store_, result_.warnings),
+          nodes_(model.nodes.size(), Entity::null), morphs_(model.nodes.size(), Entity::null),
+          surfaces_(model.nodes.size(), Entity::null) {}
 
     SpawnedModel run() {
         const assets::Scene& scene = model_.scenes[static_cast<std::size_t>(model_.default_scene)];
@@ -77,6 +79,7 @@ public:
         for (const auto& [entity, skin] : skinned_) world_.add(entity, skin_component(skin));
         add_rig();
         result_.points = scene_points(model_, model_.nodes);
+        if (types_) add_extras();
         return std::move(result_);
     }
 
@@ -114,6 +117,26 @@ private:
                           result_.warnings);
         rig.clips = resource_of<ClipStore>(world_).add(std::move(clips));
         world_.add(result_.root, std::move(rig));
+    }
+
+    void add_extras() {
+        ModelExtras extras = read_model_extras(world_, *types_, model_, {result_.root, nodes_, surfaces_});
+        std::erase_if(extras.components, [&](const ModelExtra& extra) { return plays_what_is_not_there(extra); });
+        apply_model_extras(world_, extras.components);
+        result_.extras = std::move(extras.components);
+        result_.style = std::move(extras.style);
+        std::ranges::move(extras.warnings, std::back_inserter(result_.warnings));
+    }
+
+    bool plays_what_is_not_there(const ModelExtra& extra) {
+        if (extra.entity != result_.root || extra.type->name != "animation") return false;
+        const auto clip = std::ranges::find(extra.fields, std::string_view("clip"),
+                                            [](const auto& field) -> std::string_view { return field.first->name; });
+        if (clip == extra.fields.end()) return false;
+        const std::string& name = std::get<std::string>(clip->second);
+        if (name.empty() || std::ranges::find(result_.clips, name) != result_.clips.end()) return false;
+        result_.warnings.push_back("extras: there is no clip '" + name + "' that could play");
+        return true;
     }
 
     void add_camera(Entity entity, const assets::Camera& source) {
@@ -182,6 +205,7 @@ private:
 
     World& world_;
     const Model& model_;
+    const TypeRegistry* types_; ///< null when extras are not asked for
     std::vector<glm::mat4> matrices_;
     SpawnedModel result_;
     MeshStore& store_;
@@ -197,6 +221,8 @@ private:
 
 } // namespace
 
-SpawnedModel spawn_model(World& world, const Model& model) { return Spawner(world, model).run(); }
+SpawnedModel spawn_model(World& world, const Model& model, const TypeRegistry* types) {
+    return Spawner(world, model, types).run();
+}
 
 } // namespace hachure

@@ -2,6 +2,7 @@
 
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/ecs/world.h>
+#include <hachure/systems/model/model_extras.h>
 
 #include <glm/vec3.hpp>
 
@@ -18,13 +19,19 @@ struct SpawnedModel {
     std::vector<Entity> lights;
     std::vector<glm::vec3> points;     ///< every vertex of every surface that a triangle uses, in the world, at rest
     std::vector<std::string> clips;    ///< names of what an Animation of the root can play, in the order of the file
-    std::vector<std::string> warnings; ///< one line each: images that could not be used, repaired weights and clips
+    std::vector<std::string> warnings; ///< one line each: images that could not be used, repaired weights and clips,
+                                       ///< extras that are wrong
+    std::vector<ModelExtra> extras;    ///< what the file says of components; applied already
+    std::string style;                 ///< the style, a name or a path, that the file asks for; empty for none
 };
 
 /// Puts the default scene of `model` into `world`: an entity per node, with Name, Transform, and Surface, Camera and
 /// Light as the node says, below a root; meshes and textures go to the world's MeshStore. Skinned surfaces
 /// stand below the root with a Skin, morphing ones have MorphWeights; the root of a model with clips has a Rig, and
 /// plays them when it is given an Animation. Characters stand in their rest pose.
-SpawnedModel spawn_model(World& world, const assets::Model& model);
+///
+/// With `types`, entities also get the components that the file gives them in its extras (model_extras.h); a style that
+/// is put on them later is to be followed by apply_model_extras(world, result.extras).
+SpawnedModel spawn_model(World& world, const assets::Model& model, const TypeRegistry* types = nullptr);
 
 } // namespace hachure
