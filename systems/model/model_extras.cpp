@@ -39,7 +39,7 @@ public:
         : world_(world), types_(types), model_(model), entities_(entities),
           fields_(world, entities.root, model.file, result_.warnings) {}
 
-    ModelExtras run() {
+    FileExtras run() {
         for (std::size_t i = 0; i < model_.nodes.size(); ++i)
             if (entities_.surfaces[i]) read_materials(i);
         for (std::size_t i = 0; i < model_.nodes.size(); ++i)
@@ -99,7 +99,7 @@ private:
                 return warn(speaker, pointer, "nothing is drawn here that a surface could be");
             if (!value.is_object()) return warn(speaker, pointer, "the fields of a component are an object");
             FieldValues values = fields_.read(*type, value, speaker.name, pointer);
-            result_.components.push_back({entity, type, std::move(values)});
+            result_.said.push_back({entity, {type, std::move(values)}});
             return;
         }
         const SceneParts* parts = world_.find_resource<SceneParts>();
@@ -146,24 +146,25 @@ private:
     const TypeRegistry& types_;
     const assets::Model& model_;
     const ModelEntities& entities_;
-    ModelExtras result_;
+    FileExtras result_;
     ExtraFields fields_;
 };
 
 } // namespace
 
-ModelExtras read_model_extras(World& world, const TypeRegistry& types, const assets::Model& model,
-                              const ModelEntities& entities) {
+FileExtras read_model_extras(World& world, const TypeRegistry& types, const assets::Model& model,
+                             const ModelEntities& entities) {
     return ExtrasReader(world, types, model, entities).run();
 }
 
-void apply_model_extras(World& world, std::span<const ModelExtra> extras) {
-    for (const ModelExtra& extra : extras) {
-        if (!world.alive(extra.entity)) continue;
-        void* component = extra.type->find_mutable(world, extra.entity);
-        if (!component && extra.type->name == "surface") continue;
-        if (!component) component = extra.type->add_default(world, extra.entity);
-        for (const auto& [field, value] : extra.fields) field->set(component, value);
+void apply_model_extras(World& world, Entity entity) {
+    const ModelExtras* extras = world.find<ModelExtras>(entity);
+    if (!extras) return;
+    const ModelExtras said = *extras; // adding a component moves those that are there
+    for (const auto& [type, fields] : said.components) {
+        void* component = type->find_mutable(world, entity);
+        if (!component) component = type->add_default(world, entity);
+        for (const auto& [field, value] : fields) field->set(component, value);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <hachure/components/model_extras.h>
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/ecs/reflect.h>
 #include <hachure/runtime/ecs/world.h>
@@ -10,17 +11,10 @@
 
 namespace hachure {
 
-/// What a model file says of one component of one of its entities.
-struct ModelExtra {
-    Entity entity;
-    const TypeInfo* type; ///< of the registry that the model was spawned with
-    FieldValues fields;   ///< the others stay as they are, or at their defaults
-};
-
-/// Writes them, in order, into the components that are there, and adds those that are not. What holds for `surface`
-/// alone: an entity without a mesh does not get one. spawn_model has done so once; whoever puts a style on the world
-/// after that calls this again, since what a file says of its own things comes before what a style says of all.
-void apply_model_extras(World& world, std::span<const ModelExtra> extras);
+/// Writes what the entity's ModelExtras say into its components, and adds those that it lacks; does nothing where there
+/// are none. What holds for `surface` alone: an entity without a mesh does not get one. spawn_model and apply_style
+/// call it: what a file says of its own things comes before what a style says of all.
+void apply_model_extras(World& world, Entity entity);
 
 /// The entities of a model, for what its file says of them.
 struct ModelEntities {
@@ -31,16 +25,20 @@ struct ModelEntities {
 
 /// What the file says of a spawned model (assets/gltf_extras.h), in the order in which it applies: materials, which
 /// speak of the surfaces that use them, then nodes, then the scene, which speaks of the root.
-struct ModelExtras {
-    std::vector<ModelExtra> components;
+struct FileExtras {
+    struct Said {
+        Entity entity;
+        ModelExtras::Component component;
+    };
+    std::vector<Said> said;
     std::string style;                 ///< a style's name or the path of its file, that the scene asks for; often empty
     std::vector<std::string> warnings; ///< what is wrong, by component or field, and skipped; one line each
 };
 
-/// Reads them, and gives the entities the parts (runtime/scene/scene_parts.h) that they have; components are left to
-/// apply_model_extras. Everything of the model is in the world by now. Fields that hold entities are paths of names,
-/// those that hold files are relative to the folder of the model and stay inside it.
-[[nodiscard]] ModelExtras read_model_extras(World& world, const TypeRegistry& types, const assets::Model& model,
-                                            const ModelEntities& entities);
+/// Reads them, and gives the entities the parts (runtime/scene/scene_parts.h) that they have; what is said of
+/// components is returned. Everything of the model is in the world by now. Fields that hold entities are paths of
+/// names, those that hold files are relative to the folder of the model and stay inside it.
+[[nodiscard]] FileExtras read_model_extras(World& world, const TypeRegistry& types, const assets::Model& model,
+                                           const ModelEntities& entities);
 
 } // namespace hachure

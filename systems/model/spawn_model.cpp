@@ -1,6 +1,7 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/deform.h>
 #include <hachure/components/light.h>
+#include <hachure/components/model_extras.h>
 #include <hachure/components/morph_weights.h>
 #include <hachure/components/name.h>
 #include <hachure/components/rig.h>
@@ -12,6 +13,7 @@
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/systems/model/bind_pointers.h>
 #include <hachure/systems/model/merge_primitives.h>
+#include <hachure/systems/model/model_extras.h>
 #include <hachure/systems/model/posed_vertices.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/model/surface_material.h>
@@ -54,10 +56,10 @@ template <class R> R& resource_of(World& world) {
     return world.resource_mutable<R>();
 }
 
-class Spawner {
+class ModelSpawner {
 public:
-    Spawner(World& world, const Model& model, const TypeRegistry* types)
-        : world_(world), model_(model), types_(types), matrices_(node_matrices(model.nodes)),
+    ModelSpawner(World& world, const Model& model, StoredModel& stored, const TypeRegistry* types)
+        : world_(world), model_(model), stored_(stored), types_(types), matrices_(node_matrices(model.nodes)),
           store_(resource_of<MeshStore>(world)), materials_(model, store_, result_.warnings),
           nodes_(model.nodes.size(), Entity::null), morphs_(model.nodes.size(), Entity::null),
           surfaces_(model.nodes.size(), Entity::null) {}
@@ -78,7 +80,8 @@ public:
         }
         for (const auto& [entity, skin] : skinned_) world_.add(entity, skin_component(skin));
         add_rig();
-        result_.points = scene_points(model_, model_.nodes);
+        if (!stored_.points) stored_.points = scene_points(model_, model_.nodes);
+        result_.points = *stored_.points;
         if (types_) add_extras();
         return std::move(result_);
     }
@@ -107,32 +110,40 @@ private:
 
     void add_rig() {
         if (model_.animations.empty()) return;
-        ModelClips clips{animation::compile_clips(model_, result_.warnings), {}};
-        clips.rest = animation::rest_pose(model_, clips.set.layout);
-        for (const animation::Clip& clip : clips.set.clips) result_.clips.push_back(clip.name);
-        Rig rig{.nodes = nodes_, .morphs = morphs_};
+        if (!stored_.clips) stored_.clips = store_clips();
+        const animation::ClipSet& set = world_.resource<ClipStore>().clips(*stored_.clips).set;
+        for (const animation::Clip& clip : set.clips) result_.clips.push_back(clip.name);
+        Rig rig{.clips = *stored_.clips, .nodes = nodes_, .morphs = morphs_};
         const PointerOwners owners{surfaces_, camera_entities_, light_entities_};
-        for (std::size_t clip = 0; clip < clips.set.clips.size(); ++clip)
-            bind_pointers(clips.set.clips[clip], static_cast<std::uint32_t>(clip), owners, rig.pointers,
-                          result_.warnings);
-        rig.clips = resource_of<ClipStore>(world_).add(std::move(clips));
+        for (std::size_t clip = 0; clip < set.clips.size(); ++clip)
+            bind_pointers(set.clips[clip], static_cast<std::uint32_t>(clip), owners, rig.pointers, result_.warnings);
         world_.add(result_.root, std::move(rig));
     }
 
+    std::uint32_t store_clips() {
+        ModelClips clips{animation::compile_clips(model_, result_.warnings), {}};
+        clips.rest = animation::rest_pose(model_, clips.set.layout);
+        return resource_of<ClipStore>(world_).add(std::move(clips));
+    }
+
     void add_extras() {
-        ModelExtras extras = read_model_extras(world_, *types_, model_, {result_.root, nodes_, surfaces_});
-        std::erase_if(extras.components, [&](const ModelExtra& extra) { return plays_what_is_not_there(extra); });
-        apply_model_extras(world_, extras.components);
-        result_.extras = std::move(extras.components);
+        FileExtras extras = read_model_extras(world_, *types_, model_, {result_.root, nodes_, surfaces_});
+        for (FileExtras::Said& said : extras.said) {
+            if (plays_what_is_not_there(said)) continue;
+            if (!world_.has<ModelExtras>(said.entity)) world_.add(said.entity, ModelExtras{});
+            world_.get_mutable<ModelExtras>(said.entity).components.push_back(std::move(said.component));
+        }
+        for (const FileExtras::Said& said : extras.said) apply_model_extras(world_, said.entity);
         result_.style = std::move(extras.style);
         std::ranges::move(extras.warnings, std::back_inserter(result_.warnings));
     }
 
-    bool plays_what_is_not_there(const ModelExtra& extra) {
-        if (extra.entity != result_.root || extra.type->name != "animation") return false;
-        const auto clip = std::ranges::find(extra.fields, std::string_view("clip"),
+    bool plays_what_is_not_there(const FileExtras::Said& said) {
+        if (said.entity != result_.root || said.component.type->name != "animation") return false;
+        const auto& fields = said.component.fields;
+        const auto clip = std::ranges::find(fields, std::string_view("clip"),
                                             [](const auto& field) -> std::string_view { return field.first->name; });
-        if (clip == extra.fields.end()) return false;
+        if (clip == fields.end()) return false;
         const std::string& name = std::get<std::string>(clip->second);
         if (name.empty() || std::ranges::find(result_.clips, name) != result_.clips.end()) return false;
         result_.warnings.push_back("extras: there is no clip '" + name + "' that could play");
@@ -182,7 +193,7 @@ private:
             result.joints.push_back(nodes_[static_cast<std::size_t>(joint)]);
             binding.rest.push_back(matrices_[static_cast<std::size_t>(joint)]);
         }
-        const auto [entry, fresh] = bindings_.try_emplace(index, 0);
+        const auto [entry, fresh] = stored_.bindings.try_emplace(index, 0);
         if (fresh) entry->second = store_.add(std::move(binding));
         result.binding = entry->second;
         return result;
@@ -191,7 +202,7 @@ private:
     /// Nodes share the vertices of a mesh, and those that skin it alike its weights.
     std::uint32_t store_mesh(const Node& node) {
         const std::size_t joints = node.skin < 0 ? 0 : model_.skins[static_cast<std::size_t>(node.skin)].joints.size();
-        const auto [entry, fresh] = meshes_.try_emplace({node.mesh, joints}, 0);
+        const auto [entry, fresh] = stored_.meshes.try_emplace({node.mesh, joints}, 0);
         if (!fresh) return entry->second;
         const assets::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
         const auto material = [&](std::int32_t index) { return materials_.get(index); };
@@ -205,13 +216,12 @@ private:
 
     World& world_;
     const Model& model_;
+    StoredModel& stored_;
     const TypeRegistry* types_; ///< null when extras are not asked for
     std::vector<glm::mat4> matrices_;
     SpawnedModel result_;
     MeshStore& store_;
     SurfaceMaterials materials_;
-    std::map<std::pair<std::int32_t, std::size_t>, std::uint32_t> meshes_; ///< by mesh and number of joints
-    std::map<std::int32_t, std::uint32_t> bindings_;                       ///< by skin
     std::vector<Entity> nodes_;                                            ///< by node
     std::vector<Entity> morphs_;                                           ///< by node
     std::vector<Entity> surfaces_;                                         ///< by node
@@ -222,7 +232,12 @@ private:
 } // namespace
 
 SpawnedModel spawn_model(World& world, const Model& model, const TypeRegistry* types) {
-    return Spawner(world, model, types).run();
+    StoredModel stored;
+    return spawn_model(world, model, stored, types);
+}
+
+SpawnedModel spawn_model(World& world, const Model& model, StoredModel& stored, const TypeRegistry* types) {
+    return ModelSpawner(world, model, stored, types).run();
 }
 
 } // namespace hachure

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <hachure/runtime/assets/model.h>
+#include <hachure/runtime/ecs/reflect.h>
 #include <hachure/runtime/ecs/world.h>
-#include <hachure/systems/model/model_extras.h>
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hachure {
@@ -21,7 +26,6 @@ struct SpawnedModel {
     std::vector<std::string> clips;    ///< names of what an Animation of the root can play, in the order of the file
     std::vector<std::string> warnings; ///< one line each: images that could not be used, repaired weights and clips,
                                        ///< extras that are wrong
-    std::vector<ModelExtra> extras;    ///< what the file says of components; applied already
     std::string style;                 ///< the style, a name or a path, that the file asks for; empty for none
 };
 
@@ -30,8 +34,20 @@ struct SpawnedModel {
 /// stand below the root with a Skin, morphing ones have MorphWeights; the root of a model with clips has a Rig, and
 /// plays them when it is given an Animation. Characters stand in their rest pose.
 ///
-/// With `types`, entities also get the components that the file gives them in its extras (model_extras.h); a style that
-/// is put on them later is to be followed by apply_model_extras(world, result.extras).
+/// With `types`, entities also get the components that the file gives them in its extras (model_extras.h).
 SpawnedModel spawn_model(World& world, const assets::Model& model, const TypeRegistry* types = nullptr);
+
+/// What of a model is in the stores of a world, so that the model can be spawned again without being stored again.
+struct StoredModel {
+    std::map<std::pair<std::int32_t, std::size_t>, std::uint32_t> meshes; ///< by mesh and number of joints
+    std::map<std::int32_t, std::uint32_t> bindings;                       ///< by skin
+    std::optional<std::uint32_t> clips;                                   ///< index into the ClipStore
+    std::optional<std::vector<glm::vec3>> points;                         ///< as SpawnedModel::points
+};
+
+/// The same for a model that is spawned many times: what `stored` holds is used, what it lacks is stored and noted. It
+/// is for one model and one world. After the first time the model's vertices and images are not read any more.
+SpawnedModel spawn_model(World& world, const assets::Model& model, StoredModel& stored,
+                         const TypeRegistry* types = nullptr);
 
 } // namespace hachure

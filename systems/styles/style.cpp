@@ -3,6 +3,7 @@
 #include <hachure/runtime/assets/text_file.h>
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
+#include <hachure/systems/model/model_extras.h>
 #include <hachure/systems/styles/style.h>
 
 #include <nlohmann/json.hpp>
@@ -40,6 +41,7 @@ void add_components(World& world, Entity entity, std::span<const StyleComponent>
         void* value = component.type->add_default(world, entity);
         for (const auto& [field, field_value] : component.fields) field->set(value, field_value);
     }
+    apply_model_extras(world, entity);
 }
 
 std::string known_names() {
@@ -83,6 +85,15 @@ Style find_style(const TypeRegistry& types, std::string_view name_or_path) {
 void apply_style(World& world, const TypeRegistry& types, const Style& style) {
     for (const Entity entity : types.find("surface")->entities(world)) add_components(world, entity, style.surface);
     for (const Entity entity : types.find("camera")->entities(world)) add_components(world, entity, style.camera);
+}
+
+void apply_style(World& world, const Style& style, Entity root) {
+    const auto apply = [&](Entity entity) {
+        if (world.has<Surface>(entity)) add_components(world, entity, style.surface);
+        if (world.has<Camera>(entity)) add_components(world, entity, style.camera);
+    };
+    apply(root);
+    world.for_each_descendant(root, apply);
 }
 
 } // namespace hachure

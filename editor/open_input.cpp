@@ -1,0 +1,69 @@
+#include <hachure/components/scene.h>
+#include <hachure/editor/load_model.h>
+#include <hachure/editor/open_input.h>
+#include <hachure/runtime/app/log.h>
+#include <hachure/runtime/assets/read_model.h>
+#include <hachure/runtime/error.h>
+#include <hachure/systems/camera/camera.h>
+#include <hachure/systems/light/light.h>
+#include <hachure/systems/scene/load_scene.h>
+#include <hachure/systems/scene/scene_spawner.h>
+#include <hachure/systems/styles/style.h>
+
+#include <utility>
+#include <vector>
+
+namespace hachure {
+namespace {
+
+constexpr const char* fallback_style = "gooch";
+
+/// The style that is asked for, else that of the file, else the fallback; with its name or path.
+std::pair<std::string, Style> style_for(const App& app, const std::filesystem::path& input, const std::string& asked,
+                                        const std::string& own) {
+    if (!asked.empty()) return {asked, find_style(app.types(), asked)};
+    try {
+        if (!own.empty()) return {own, find_style(app.types(), own)};
+    } catch (const Error& error) {
+        log_warning(input.string() + ": the style that it asks for: " + error.what());
+    }
+    return {fallback_style, find_style(app.types(), fallback_style)};
+}
+
+void open_model(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
+    if (!options.style.empty()) static_cast<void>(find_style(app.types(), options.style)); // faults before long work
+    const SpawnedModel spawned = load_model(app, assets::read_model(input), input, canvas, options.clip);
+    const auto [name, style] = style_for(app, input, options.style, spawned.style);
+    apply_style(app.world(), app.types(), style);
+    app.world().set_resource(SceneDocument{.style = name, .applied_style = name});
+    set_scene_spawner(app, input, style);
+}
+
+void open_scene(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
+    if (options.clip && !options.clip->empty())
+        throw Error(input.string(), "is a scene, which says itself what its models play: --clip is for models");
+    World& world = app.world();
+    world.set_resource(canvas);
+    LoadedScene scene = load_scene(app, input, {options.style, fallback_style});
+    for (const std::string& warning : scene.warnings) log_warning(warning);
+    check_drawable(input, scene.points);
+    if (!scene.has_camera) {
+        // Of an empty scene a camera sees the metre around the origin, where things may yet appear.
+        if (scene.points.empty()) scene.points = {glm::vec3(-0.5f), glm::vec3(0.5f)};
+        const Entity camera = spawn_framing_camera(world, scene.points, canvas);
+        apply_style(world, find_style(app.types(), world.resource<SceneDocument>().applied_style), camera);
+        world.add(camera, Unsaved{});
+    }
+    if (!scene.has_light) world.add(spawn_default_light(world), Unsaved{});
+}
+
+} // namespace
+
+void open_input(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
+    if (is_scene_name(input))
+        open_scene(app, input, canvas, options);
+    else
+        open_model(app, input, canvas, options);
+}
+
+} // namespace hachure
