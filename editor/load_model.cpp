@@ -9,7 +9,6 @@
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/model/clip_points.h>
-#include <hachure/systems/model/spawn_model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +29,9 @@ bool fits(const glm::vec3& point) {
 /// A model that moves: from the pose of the clip's start, without a fade to it.
 void play(World& world, const assets::Model& model, SpawnedModel& spawned, const std::filesystem::path& file,
           std::string clip) {
+    const bool chosen = !clip.empty();
+    // What a file plays by itself it plays as it says, with its speed and all.
+    if (const Animation* own = world.find<Animation>(spawned.root); own && !chosen) clip = own->clip;
     if (clip.empty() && spawned.clips.empty()) return;
     if (clip.empty()) clip = spawned.clips.front();
     if (std::ranges::find(spawned.clips, clip) == spawned.clips.end()) {
@@ -40,26 +42,32 @@ void play(World& world, const assets::Model& model, SpawnedModel& spawned, const
     // The camera is to see all of the clip, not only how the model stands at rest.
     const animation::ClipSet& set = world.resource<ClipStore>().clips(world.get<Rig>(spawned.root).clips).set;
     spawned.points = clip_points(model, set, set.clips[*animation::find_clip(set, clip)]);
+    if (!chosen && world.has<Animation>(spawned.root)) {
+        world.get_mutable<Animation>(spawned.root).clip = std::move(clip);
+        return;
+    }
     world.add(spawned.root, Animation{.clip = std::move(clip)});
 }
 
 } // namespace
 
-void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas,
-                const std::optional<std::string>& clip) {
+SpawnedModel load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas,
+                        const std::optional<std::string>& clip) {
     World& world = app.world();
     world.set_resource(canvas);
-    SpawnedModel spawned = spawn_model(world, model);
+    SpawnedModel spawned = spawn_model(world, model, &app.types());
     for (const std::string& warning : model.warnings) log_warning(file.string() + ": " + warning);
     for (const std::string& warning : spawned.warnings) log_warning(file.string() + ": " + warning);
     if (spawned.points.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
     check_drawable(file, spawned.points);
-    if (clip) play(world, model, spawned, file, *clip);
+    const Animation* own = world.find<Animation>(spawned.root);
+    if (clip || (own && !own->clip.empty())) play(world, model, spawned, file, clip.value_or(""));
     // What a scene file of this world has to say of it: the model and what its root carries.
     world.for_each_descendant(spawned.root, [&](Entity entity) { world.add(entity, Unsaved{}); });
     world.add(spawned.root, SceneReference{.file = file, .own_name = world.get<Name>(spawned.root).text});
     if (spawned.cameras.empty()) world.add(spawn_framing_camera(world, spawned.points, canvas), Unsaved{});
     if (spawned.lights.empty()) world.add(spawn_default_light(world), Unsaved{});
+    return spawned;
 }
 
 void check_drawable(const std::filesystem::path& file, std::span<const glm::vec3> points) {

@@ -10,6 +10,7 @@
 #include <hachure/systems/scene/scene_spawner.h>
 #include <hachure/systems/styles/style.h>
 
+#include <utility>
 #include <vector>
 
 namespace hachure {
@@ -17,10 +18,22 @@ namespace {
 
 constexpr const char* fallback_style = "gooch";
 
+/// The style that is asked for, else that of the file, else the fallback; with its name or path.
+std::pair<std::string, Style> style_for(const App& app, const std::filesystem::path& input, const std::string& asked,
+                                        const std::string& own) {
+    if (!asked.empty()) return {asked, find_style(app.types(), asked)};
+    try {
+        if (!own.empty()) return {own, find_style(app.types(), own)};
+    } catch (const Error& error) {
+        log_warning(input.string() + ": the style that it asks for: " + error.what());
+    }
+    return {fallback_style, find_style(app.types(), fallback_style)};
+}
+
 void open_model(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
-    const std::string name = options.style.empty() ? fallback_style : options.style;
-    const Style style = find_style(app.types(), name);
-    load_model(app, assets::read_model(input), input, canvas, options.clip);
+    if (!options.style.empty()) static_cast<void>(find_style(app.types(), options.style)); // faults before long work
+    const SpawnedModel spawned = load_model(app, assets::read_model(input), input, canvas, options.clip);
+    const auto [name, style] = style_for(app, input, options.style, spawned.style);
     apply_style(app.world(), app.types(), style);
     app.world().set_resource(SceneDocument{.style = name, .applied_style = name});
     set_scene_spawner(app, input, style);

@@ -24,6 +24,7 @@ Model read_gltf(const std::filesystem::path& file) {
     const GltfReader reader{document, buffers, accessors, warnings};
 
     Model model;
+    model.file = file;
     report_extensions(reader, model);
     read_textures(reader, model);
     read_materials(reader, model);

@@ -2,6 +2,7 @@
 #include <hachure/runtime/assets/gltf_check.h>
 #include <hachure/runtime/assets/gltf_container.h>
 #include <hachure/runtime/assets/gltf_document.h>
+#include <hachure/runtime/assets/gltf_extras.h>
 #include <hachure/runtime/assets/gltf_json.h>
 #include <hachure/runtime/error.h>
 
@@ -39,6 +40,16 @@ std::vector<std::string> target_names(const json& mesh) {
     if (list == extras->end() || !list->is_array()) return names;
     for (const json& name : *list) names.push_back(name.is_string() ? name.get<std::string>() : std::string());
     return names;
+}
+
+// What each object of the array says to Hachure.
+std::vector<std::string> take_extras(const json& root, const char* array, GltfWarnings& warnings) {
+    std::vector<std::string> result;
+    const auto objects = root.find(array);
+    if (objects == root.end()) return result;
+    for (const json& object : *objects)
+        result.push_back(hachure_extras(object, fmt::format("/{}/{}", array, result.size()), warnings));
+    return result;
 }
 
 // Drops extras and extensions that the reader does not understand: tinygltf would make of them a tree that takes up to
@@ -123,6 +134,9 @@ GltfDocument open_gltf(const std::filesystem::path& path, GltfWarnings& warnings
     take_sources(root, document);
     if (root.contains("meshes"))
         for (const json& mesh : root.at("meshes")) document.target_names.push_back(target_names(mesh));
+    document.node_extras = take_extras(root, "nodes", warnings);
+    document.material_extras = take_extras(root, "materials", warnings);
+    document.scene_extras = take_extras(root, "scenes", warnings);
     drop_what_is_not_read(root);
     drop_stated_bounds(root);
     give_every_channel_a_node(root);

@@ -45,6 +45,7 @@ struct GltfDocument {
     std::vector<GltfBufferSource> buffers;
     std::vector<GltfImageSource> images;
     std::vector<std::vector<std::string>> target_names; ///< per mesh, from extras/targetNames; often empty
+    std::vector<std::string> node_extras, material_extras, scene_extras; ///< per node, ...: see gltf_extras.h
 
     /// Throws hachure::Error about this file.
     [[noreturn]] void fail(std::string_view fault, std::string_view where = {}) const;

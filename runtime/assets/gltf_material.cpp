@@ -51,6 +51,10 @@ Material read_material(const GltfReader& reader, std::size_t index) {
                                                         : AlphaMode::opaque;
     material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
     material.double_sided = source.doubleSided;
+    material.emissive_texture = read_use(reader, source.emissiveTexture, where);
+    material.occlusion_texture = read_use(reader, source.occlusionTexture, where);
+    material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
+    material.extras = reader.document.material_extras[index];
     return material;
 }
 

@@ -44,6 +44,7 @@ Node read_node(const GltfReader& reader, std::size_t index, const Model& model) 
     const tinygltf::Node& source = reader.document.model->nodes[index];
     Node node;
     node.name = source.name;
+    node.extras = reader.document.node_extras[index];
     node.children.assign(source.children.begin(), source.children.end());
     read_transform(reader, source, node_pointer(index), node);
     node.mesh = source.mesh;
@@ -106,6 +107,7 @@ std::vector<Scene> read_scenes(const GltfReader& reader, const std::vector<std::
     for (const tinygltf::Scene& source : reader.document.model->scenes) {
         Scene scene;
         scene.name = source.name;
+        scene.extras = reader.document.scene_extras[scenes.size()];
         for (const int node : source.nodes) {
             const std::int32_t root = root_of[static_cast<std::size_t>(node)];
             if (root != node)

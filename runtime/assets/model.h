@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -89,6 +90,10 @@ struct Material {
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
+    TextureUse emissive_texture;  ///< kept for writing; nothing draws it yet
+    TextureUse occlusion_texture; ///< the same
+    float occlusion_strength = 1.0f;
+    std::string extras{}; ///< what it says to Hachure, see gltf_extras.h; of the surfaces that use it
 };
 
 struct Camera {
@@ -125,6 +130,7 @@ struct Node {
     std::optional<glm::mat4> matrix;
     std::int32_t mesh = -1, skin = -1, camera = -1, light = -1; ///< into the Model's arrays, -1 for none
     std::vector<float> morph_weights;                           ///< override the mesh's when not empty
+    std::string extras{}; ///< what it says to Hachure, see gltf_extras.h; of its entity
 };
 
 struct Skin {
@@ -156,6 +162,7 @@ struct Animation {
 struct Scene {
     std::string name;
     std::vector<std::int32_t> roots; ///< nodes
+    std::string extras{};            ///< what it says to Hachure, see gltf_extras.h; of the model as a whole
 };
 
 struct Model {
@@ -172,6 +179,7 @@ struct Model {
     std::int32_t default_scene = 0;      ///< into scenes
     std::vector<std::string> extensions; ///< what the file declares as used, in its order
     std::vector<std::string> warnings;   ///< one line per thing that was repaired or not understood, each kind once
+    std::filesystem::path file;          ///< where it was read from; empty for what was made in memory
 };
 
 } // namespace hachure::assets

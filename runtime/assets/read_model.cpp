@@ -64,6 +64,7 @@ Model read_model(const std::filesystem::path& path) {
     Model model = is_gltf(path) ? read_gltf(path) : read_mesh(path);
     if (!is_gltf(path)) complete_materials(model);
     complete_normals(model);
+    model.file = path;
     return model;
 }
 

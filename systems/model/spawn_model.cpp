@@ -1,6 +1,7 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/deform.h>
 #include <hachure/components/light.h>
+#include <hachure/components/model_extras.h>
 #include <hachure/components/morph_weights.h>
 #include <hachure/components/name.h>
 #include <hachure/components/rig.h>
@@ -12,11 +13,13 @@
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/systems/model/bind_pointers.h>
 #include <hachure/systems/model/merge_primitives.h>
+#include <hachure/systems/model/model_extras.h>
 #include <hachure/systems/model/posed_vertices.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/model/surface_material.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -55,8 +58,8 @@ template <class R> R& resource_of(World& world) {
 
 class ModelSpawner {
 public:
-    ModelSpawner(World& world, const Model& model, StoredModel& stored)
-        : world_(world), model_(model), stored_(stored), matrices_(node_matrices(model.nodes)),
+    ModelSpawner(World& world, const Model& model, StoredModel& stored, const TypeRegistry* types)
+        : world_(world), model_(model), stored_(stored), types_(types), matrices_(node_matrices(model.nodes)),
           store_(resource_of<MeshStore>(world)), materials_(model, store_, result_.warnings),
           nodes_(model.nodes.size(), Entity::null), morphs_(model.nodes.size(), Entity::null),
           surfaces_(model.nodes.size(), Entity::null) {}
@@ -79,6 +82,7 @@ public:
         add_rig();
         if (!stored_.points) stored_.points = scene_points(model_, model_.nodes);
         result_.points = *stored_.points;
+        if (types_) add_extras();
         return std::move(result_);
     }
 
@@ -120,6 +124,30 @@ private:
         ModelClips clips{animation::compile_clips(model_, result_.warnings), {}};
         clips.rest = animation::rest_pose(model_, clips.set.layout);
         return resource_of<ClipStore>(world_).add(std::move(clips));
+    }
+
+    void add_extras() {
+        FileExtras extras = read_model_extras(world_, *types_, model_, {result_.root, nodes_, surfaces_});
+        for (FileExtras::Said& said : extras.said) {
+            if (plays_what_is_not_there(said)) continue;
+            if (!world_.has<ModelExtras>(said.entity)) world_.add(said.entity, ModelExtras{});
+            world_.get_mutable<ModelExtras>(said.entity).components.push_back(std::move(said.component));
+        }
+        for (const FileExtras::Said& said : extras.said) apply_model_extras(world_, said.entity);
+        result_.style = std::move(extras.style);
+        std::ranges::move(extras.warnings, std::back_inserter(result_.warnings));
+    }
+
+    bool plays_what_is_not_there(const FileExtras::Said& said) {
+        if (said.entity != result_.root || said.component.type->name != "animation") return false;
+        const auto& fields = said.component.fields;
+        const auto clip = std::ranges::find(fields, std::string_view("clip"),
+                                            [](const auto& field) -> std::string_view { return field.first->name; });
+        if (clip == fields.end()) return false;
+        const std::string& name = std::get<std::string>(clip->second);
+        if (name.empty() || std::ranges::find(result_.clips, name) != result_.clips.end()) return false;
+        result_.warnings.push_back("extras: there is no clip '" + name + "' that could play");
+        return true;
     }
 
     void add_camera(Entity entity, const assets::Camera& source) {
@@ -189,6 +217,7 @@ private:
     World& world_;
     const Model& model_;
     StoredModel& stored_;
+    const TypeRegistry* types_; ///< null when extras are not asked for
     std::vector<glm::mat4> matrices_;
     SpawnedModel result_;
     MeshStore& store_;
@@ -202,13 +231,13 @@ private:
 
 } // namespace
 
-SpawnedModel spawn_model(World& world, const Model& model) {
+SpawnedModel spawn_model(World& world, const Model& model, const TypeRegistry* types) {
     StoredModel stored;
-    return spawn_model(world, model, stored);
+    return spawn_model(world, model, stored, types);
 }
 
-SpawnedModel spawn_model(World& world, const Model& model, StoredModel& stored) {
-    return ModelSpawner(world, model, stored).run();
+SpawnedModel spawn_model(World& world, const Model& model, StoredModel& stored, const TypeRegistry* types) {
+    return ModelSpawner(world, model, stored, types).run();
 }
 
 } // namespace hachure

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hachure/runtime/assets/model.h>
+#include <hachure/runtime/ecs/reflect.h>
 #include <hachure/runtime/ecs/world.h>
 
 #include <glm/vec3.hpp>
@@ -23,14 +24,18 @@ struct SpawnedModel {
     std::vector<Entity> lights;
     std::vector<glm::vec3> points;     ///< every vertex of every surface that a triangle uses, in the world, at rest
     std::vector<std::string> clips;    ///< names of what an Animation of the root can play, in the order of the file
-    std::vector<std::string> warnings; ///< one line each: images that could not be used, repaired weights and clips
+    std::vector<std::string> warnings; ///< one line each: images that could not be used, repaired weights and clips,
+                                       ///< extras that are wrong
+    std::string style;                 ///< the style, a name or a path, that the file asks for; empty for none
 };
 
 /// Puts the default scene of `model` into `world`: an entity per node, with Name, Transform, and Surface, Camera and
 /// Light as the node says, below a root; meshes and textures go to the world's MeshStore. Skinned surfaces
 /// stand below the root with a Skin, morphing ones have MorphWeights; the root of a model with clips has a Rig, and
 /// plays them when it is given an Animation. Characters stand in their rest pose.
-SpawnedModel spawn_model(World& world, const assets::Model& model);
+///
+/// With `types`, entities also get the components that the file gives them in its extras (model_extras.h).
+SpawnedModel spawn_model(World& world, const assets::Model& model, const TypeRegistry* types = nullptr);
 
 /// What of a model is in the stores of a world, so that the model can be spawned again without being stored again.
 struct StoredModel {
@@ -42,6 +47,7 @@ struct StoredModel {
 
 /// The same for a model that is spawned many times: what `stored` holds is used, what it lacks is stored and noted. It
 /// is for one model and one world. After the first time the model's vertices and images are not read any more.
-SpawnedModel spawn_model(World& world, const assets::Model& model, StoredModel& stored);
+SpawnedModel spawn_model(World& world, const assets::Model& model, StoredModel& stored,
+                         const TypeRegistry* types = nullptr);
 
 } // namespace hachure

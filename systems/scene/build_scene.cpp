@@ -114,7 +114,7 @@ private:
         const std::filesystem::path file = file_of(piece).resolve(said.get_ref<const std::string&>());
         Entity entity;
         try {
-            entity = is_scene ? make_scene_root(piece, file) : cache_.spawn_copy(world_, file);
+            entity = is_scene ? make_scene_root(piece, file) : cache_.spawn_copy(world_, file, types_.registry());
         } catch (const Error& error) {
             fault(piece, "/" + key, error.what());
             return {};

@@ -28,9 +28,9 @@ std::shared_ptr<const SceneFile> SceneCache::scene(const std::filesystem::path& 
     return scenes_.emplace(key, std::make_shared<const SceneFile>(SceneFile::read(file))).first->second;
 }
 
-SpawnedModel SceneCache::spawn(World& world, const std::filesystem::path& file) {
+SpawnedModel SceneCache::spawn(World& world, const std::filesystem::path& file, const TypeRegistry& types) {
     CachedModel& cached = model(file);
-    SpawnedModel spawned = spawn_model(world, cached.model, cached.stored);
+    SpawnedModel spawned = spawn_model(world, cached.model, cached.stored, &types);
     if (!cached.spawned)
         for (const std::string& warning : spawned.warnings) cached.warnings.push_back(file.string() + ": " + warning);
     cached.spawned = true;
@@ -38,11 +38,11 @@ SpawnedModel SceneCache::spawn(World& world, const std::filesystem::path& file) 
     return spawned;
 }
 
-Entity SceneCache::spawn_copy(World& world, const std::filesystem::path& file) {
+Entity SceneCache::spawn_copy(World& world, const std::filesystem::path& file, const TypeRegistry& types) {
     CachedModel& cached = model(file);
     // The first one may be the only one, and is not there to be copied: what is said of it changes it.
-    if (!cached.spawned) return spawn(world, file).root;
-    if (!cached.prototype) cached.prototype = spawn(world, file).root;
+    if (!cached.spawned) return spawn(world, file, types).root;
+    if (!cached.prototype) cached.prototype = spawn(world, file, types).root;
     return world.instantiate(cached.prototype);
 }
 

@@ -30,10 +30,10 @@ public:
     std::shared_ptr<const SceneFile> scene(const std::filesystem::path& file);
 
     /// Spawns a model; what it adds to `world` that is no part of the tree is added the first time only.
-    SpawnedModel spawn(World& world, const std::filesystem::path& file);
+    SpawnedModel spawn(World& world, const std::filesystem::path& file, const TypeRegistry& types);
 
     /// The same where many copies are likely: all but the first few are copied from a prototype.
-    Entity spawn_copy(World& world, const std::filesystem::path& file);
+    Entity spawn_copy(World& world, const std::filesystem::path& file, const TypeRegistry& types);
 
     /// Destroys the prototypes, and forgets what only the first spawning of a model reads.
     void finish(World& world);

@@ -3,6 +3,7 @@
 #include <hachure/runtime/assets/text_file.h>
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
+#include <hachure/systems/model/model_extras.h>
 #include <hachure/systems/styles/style.h>
 
 #include <nlohmann/json.hpp>
@@ -40,6 +41,7 @@ void add_components(World& world, Entity entity, std::span<const StyleComponent>
         void* value = component.type->add_default(world, entity);
         for (const auto& [field, field_value] : component.fields) field->set(value, field_value);
     }
+    apply_model_extras(world, entity);
 }
 
 std::string known_names() {

@@ -44,7 +44,8 @@ struct BuiltInStyle {
 /// A built-in style by its name, else the preset file of that path. Throws Error when there is neither.
 [[nodiscard]] Style find_style(const TypeRegistry& types, std::string_view name_or_path);
 
-/// Puts the style's components on every surface and every camera of the world.
+/// Puts the style's components on every surface and every camera of the world. What the file of a model says of them
+/// itself (components/model_extras.h) stays.
 void apply_style(World& world, const TypeRegistry& types, const Style& style);
 
 /// The same for what stands at and below one entity.
