@@ -108,13 +108,14 @@ private:
     void give_components(const ScenePiece& piece) {
         for (const auto& [key, value] : piece.value->items()) {
             if (is_structure(key) || (key == "name" && value.is_string())) continue; // the builder did it
-            if (const TypeInfo* type = types_.find(key)) {
+            // A part first: it may stand in the place of the component of its name.
+            if (const ScenePart* part = parts_ ? parts_->find(key) : nullptr) {
+                pending_parts_.emplace_back(&piece, part);
+            } else if (const TypeInfo* type = types_.find(key)) {
                 json unknown = json::object();
                 if (read_component(*type, value, file_of(piece), piece.pointer + "/" + key, faults_, said_, &unknown))
                     give(piece.entity, said_, piece, "/" + key);
                 if (!unknown.empty() && piece.scope == 0) extras(piece.entity).unknown.update(unknown);
-            } else if (const ScenePart* part = parts_ ? parts_->find(key) : nullptr) {
-                pending_parts_.emplace_back(&piece, part);
             } else {
                 faults_.warn(file_of(piece), piece.pointer + "/" + pointer_token(key),
                              "there is no component '" + key.substr(0, 60) + "'");
@@ -130,18 +131,20 @@ private:
             return faults_.fault(file_of(piece), piece.pointer + "/overrides",
                                  "overrides are an object, by paths of names below an entity with a model or a scene");
         const NamesBelow names(world_, piece.entity);
-        for (const auto& [path, components] : overrides->items()) {
-            const std::string place = "/overrides/" + pointer_token(path);
-            const Entity part = names.find(world_, path);
-            if (!part) {
-                faults_.fault(file_of(piece), piece.pointer + place,
-                              "nothing below the entity is called '" + path.substr(0, 60) + "'");
-                continue;
-            }
-            for (const SaidComponent& said :
-                 read_components(types_, components, file_of(piece), piece.pointer + place, faults_))
-                give(part, said, piece, place + "/" + said.type->name);
-        }
+        std::vector<Entity> parts; // all before any is changed: an override may rename
+        for (const auto& [path, components] : overrides->items()) parts.push_back(names.find(world_, path));
+        auto part = parts.begin();
+        for (const auto& [path, components] : overrides->items()) override_part(piece, path, components, *part++);
+    }
+
+    void override_part(const ScenePiece& piece, const std::string& path, const json& components, Entity part) {
+        const std::string place = "/overrides/" + pointer_token(path);
+        if (!part)
+            return faults_.fault(file_of(piece), piece.pointer + place,
+                                 "nothing below the entity is called '" + path.substr(0, 60) + "'");
+        for (const SaidComponent& said :
+             read_components(types_, components, file_of(piece), piece.pointer + place, faults_))
+            give(part, said, piece, place + "/" + said.type->name);
     }
 
     void give(Entity entity, const SaidComponent& said, const ScenePiece& piece, const std::string& place) {
