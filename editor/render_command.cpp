@@ -146,12 +146,14 @@ void draw_frames(App& app, Renderer& renderer, const Work& work, const RenderOut
         output.take(step.number);
         ++done;
     };
-    progress.stage("stepping");
-    walk_frames(work.plan, work.frames, history_of(app), [&](const FrameStep& step) {
+    const FrameHistory history = history_of(app);
+    progress.stage(history == FrameHistory::whole ? "stepping" : "drawing");
+    walk_frames(work.plan, work.frames, history, [&](const FrameStep& step) {
         stop_when_interrupted();
         if (step.drawn && done == 0) progress.stage("drawing");
         if (step.drawn) return draw(step);
-        if (done == 0) progress.step(static_cast<std::size_t>(step.number), static_cast<std::size_t>(work.plan.first));
+        if (history == FrameHistory::whole && done == 0 && !work.plan.time)
+            progress.step(static_cast<std::size_t>(step.number), static_cast<std::size_t>(work.frames.front()));
         renderer.skip_frame(seek(app, step.seconds));
     });
     progress.stage("writing");

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <string_view>
 
 namespace hachure::play {
@@ -27,9 +28,8 @@ std::string picture_figures(const PictureEvidence& picture) {
 
 /// Golden and actual picture on one another, parted by a line that is dragged, or side by side, or in turns.
 std::string wiping(const PictureEvidence& picture) {
-    return "<figure class=\"pair\"><div class=\"stage\">" +
-           html_picture(picture.golden, "golden picture", "class=\"golden\"") +
-           html_picture(picture.actual, "actual picture", "class=\"actual\"") +
+    return "<figure class=\"pair\"><div class=\"stage\">" + html_picture(picture.golden, "golden picture", "golden") +
+           html_picture(picture.actual, "actual picture", "actual") +
            "<input type=\"range\" class=\"wipe\" min=\"0\" max=\"100\" step=\"0.5\" value=\"50\" "
            "aria-label=\"how much of the golden picture is shown, percent\"><i class=\"edge\"></i></div>"
            "<figcaption><span>golden</span><span>actual</span></figcaption></figure>";
@@ -44,7 +44,7 @@ std::string comparison(const PictureEvidence& picture) {
            "<label class=\"check\"><input type=\"checkbox\" class=\"brighten\"> Brighten difference</label></div>"
            "<div class=\"pictures\">" +
            wiping(picture) + "<figure class=\"difference\"><div class=\"stage\">" +
-           html_picture(picture.difference, "difference", "class=\"difference\"") +
+           html_picture(picture.difference, "difference", "difference") +
            "</div><figcaption><span>difference</span></figcaption></figure></div>" + picture_figures(picture) +
            "</div>";
 }
@@ -62,18 +62,29 @@ std::string film_tools() {
            "<output></output></div>";
 }
 
+/// The frame that is shown at first: the first one whose value is not allowed.
+std::size_t first_shown(const ExpectationResult& expectation) {
+    for (const Curve& curve : expectation.curves)
+        for (const std::int64_t frame : frames_outside(curve)) {
+            const std::int64_t index = frame - expectation.first_frame;
+            if (index >= 0 && index < std::ssize(expectation.frames)) return static_cast<std::size_t>(index);
+        }
+    return 0;
+}
+
 /// The frames lie on one another; the page's scripts show one of them, or it over the one before.
 std::string film(const ExpectationResult& expectation) {
+    const std::size_t shown = first_shown(expectation);
     std::string html = fmt::format("<div class=\"film\" data-first=\"{}\">{}<div class=\"stage\" tabindex=\"0\" "
                                    "role=\"group\" aria-label=\"frames\">",
                                    expectation.first_frame, film_tools());
     for (std::size_t i = 0; i < expectation.frames.size(); ++i) {
         const std::int64_t frame = expectation.first_frame + static_cast<std::int64_t>(i);
-        html += html_picture(expectation.frames[i], fmt::format("frame {}", frame), i == 0 ? "class=\"shown\"" : "");
+        html += html_picture(expectation.frames[i], fmt::format("frame {}", frame), i == shown ? "shown" : "");
     }
-    return html + fmt::format("</div><input type=\"range\" class=\"seek\" min=\"0\" max=\"{}\" step=\"1\" value=\"0\" "
+    return html + fmt::format("</div><input type=\"range\" class=\"seek\" min=\"0\" max=\"{}\" step=\"1\" value=\"{}\" "
                               "aria-label=\"frame\"></div>",
-                              expectation.frames.size() - 1);
+                              expectation.frames.size() - 1, shown);
 }
 
 std::string verdict(const ExpectationResult& expectation) {

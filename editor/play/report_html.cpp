@@ -123,16 +123,16 @@ std::string html_seconds(double seconds) {
     return seconds < 0.01 ? "&lt; 0.01 s" : fmt::format("{:.{}f} s", seconds, seconds < 9.995 ? 2 : 1);
 }
 
-std::string html_picture(const std::filesystem::path& png, std::string_view description, std::string_view attributes) {
+std::string html_picture(const std::filesystem::path& png, std::string_view description, std::string_view classes) {
     const std::optional<Png> picture = png.empty() ? std::nullopt : read_png(png);
     if (!picture)
-        return fmt::format("<div class=\"missing\" role=\"img\" aria-label=\"{0}: missing\" {1}>"
+        return fmt::format("<div class=\"missing {1}\" role=\"img\" aria-label=\"{0}: missing\">"
                            "<span>{0}</span><em>{2}</em></div>",
-                           html_text(description), attributes,
+                           html_text(description), classes,
                            png.empty() ? "there is none" : "can’t be read: " + html_path(png.filename()));
-    return fmt::format("<img alt=\"{}\" width=\"{}\" height=\"{}\" {} decoding=\"async\" draggable=\"false\" "
+    return fmt::format("<img class=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" decoding=\"async\" draggable=\"false\" "
                        "src=\"data:image/png;base64,{}\">",
-                       html_text(description), picture->width, picture->height, attributes, base64(picture->bytes));
+                       classes, html_text(description), picture->width, picture->height, base64(picture->bytes));
 }
 
 } // namespace hachure::play

@@ -21,8 +21,8 @@ namespace hachure::play {
 [[nodiscard]] std::string html_seconds(double seconds);
 
 /// An img element that holds the PNG file itself, with its size, so that nothing moves when it is shown; or a box that
-/// says that the picture is missing. `description` is what it shows in words, `attributes` what the element also has.
+/// says that the picture is missing. `description` is what it shows in words, `classes` those of the element.
 [[nodiscard]] std::string html_picture(const std::filesystem::path& png, std::string_view description,
-                                       std::string_view attributes = {});
+                                       std::string_view classes = {});
 
 } // namespace hachure::play

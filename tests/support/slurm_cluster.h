@@ -119,14 +119,23 @@ private:
         ::waitpid(process, nullptr, 0);
     }
 
+    /// Whether it has ended by itself, as where the kernel or a container denies what it needs.
+    static bool has_ended(pid_t& process) {
+        if (::waitpid(process, nullptr, WNOHANG) == 0) return false;
+        process = -1;
+        return true;
+    }
+
     void wait_until_idle() {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
         std::string state;
-        for (int i = 0; i < 100; ++i) {
-            state = run_process({"/usr/bin/env", "sinfo", "-h", "-o", "%T"}).out;
+        while (std::chrono::steady_clock::now() < end && !has_ended(controller_) && !has_ended(node_)) {
+            state = run_process({"/usr/bin/timeout", "5", "sinfo", "-h", "-o", "%T"}).out;
             if (state == "idle\n") return;
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
         }
-        fail("the node does not come up here: it is '" + state + "'\n" + file_text(folder_ / "slurmd.log"));
+        fail("the node does not come up here: it is '" + state + "'\n" + file_text(folder_ / "slurmctld.log") +
+             file_text(folder_ / "slurmd.log"));
     }
 
     TempFolder folder_;

@@ -43,8 +43,8 @@ TEST(ReportHtml, NumbersAreForPeople) {
 
 TEST(ReportHtml, APictureIsTheFileItself) {
     const TempFolder folder;
-    const std::string html = html_picture(picture(folder, "p.png", ball(0.5, 20, 10)), "a \"ball\"", "class=\"x\"");
-    EXPECT_TRUE(html.starts_with("<img alt=\"a &quot;ball&quot;\" width=\"20\" height=\"10\" class=\"x\""));
+    const std::string html = html_picture(picture(folder, "p.png", ball(0.5, 20, 10)), "a \"ball\"", "x");
+    EXPECT_TRUE(html.starts_with("<img class=\"x\" alt=\"a &quot;ball&quot;\" width=\"20\" height=\"10\""));
     const std::size_t at = html.find("data:image/png;base64,iVBORw0KGgo"); // as every PNG begins
     ASSERT_NE(at, std::string::npos);
     const std::size_t size = html.size() - 2 - at - std::string("data:image/png;base64,").size();
@@ -57,9 +57,9 @@ TEST(ReportHtml, APictureThatIsNoneIsMissing) {
     const auto cut = folder.write("<cut>.png", file_text(good).substr(0, 60));
     const auto svg = folder.write("p.svg.png", "<svg onload='alert(1)'/>");
     for (const auto& path : {cut, svg, folder / "absent.png", folder.path(), std::filesystem::path()}) {
-        const std::string html = html_picture(path, "frame 3");
+        const std::string html = html_picture(path, "frame 3", "golden");
         EXPECT_EQ(html.find("<img"), std::string::npos) << path;
-        EXPECT_NE(html.find("class=\"missing\""), std::string::npos) << path;
+        EXPECT_NE(html.find("class=\"missing golden\""), std::string::npos) << path;
     }
     EXPECT_NE(html_picture(cut, "frame 3").find("&lt;cut&gt;.png"), std::string::npos);
 }
