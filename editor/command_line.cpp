@@ -1,4 +1,5 @@
 #include <hachure/editor/command_line.h>
+#include <hachure/editor/convert_command.h>
 #include <hachure/editor/info_command.h>
 #include <hachure/editor/list_command.h>
 #include <hachure/editor/render_command.h>
@@ -45,9 +46,11 @@ int run_command_line(int argc, char** argv) {
     app.require_subcommand(1);
     RenderOptions render;
     InfoOptions info;
+    ConvertOptions convert;
     ListOptions list;
     add_render_command(app, render);
     add_info_command(app, info);
+    add_convert_command(app, convert);
     add_list_command(app, list);
     try {
         app.parse(argc, argv);
@@ -57,6 +60,7 @@ int run_command_line(int argc, char** argv) {
     try {
         if (app.got_subcommand("render")) return run_render(render);
         if (app.got_subcommand("info")) return run_info(info);
+        if (app.got_subcommand("convert")) return run_convert(convert);
         return run_list(list);
     } catch (const UsageError& error) {
         return report(error.what(), exit_usage);
