@@ -2,6 +2,7 @@
 #include <hachure/components/gooch.h>
 #include <hachure/components/surface.h>
 #include <hachure/components/transform.h>
+#include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/scene_parts.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/systems/model/model_extras.h>
