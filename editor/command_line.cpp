@@ -1,4 +1,5 @@
 #include <hachure/editor/command_line.h>
+#include <hachure/editor/convert_command.h>
 #include <hachure/editor/info_command.h>
 #include <hachure/editor/list_command.h>
 #include <hachure/editor/play/play_command.h>
@@ -48,11 +49,13 @@ int run_command_line(int argc, char** argv) {
     RenderOptions render;
     PlayCommandOptions play;
     InfoOptions info;
+    ConvertOptions convert;
     ListOptions list;
     ValidateOptions validate;
     add_render_command(app, render);
     add_play_command(app, play);
     add_info_command(app, info);
+    add_convert_command(app, convert);
     add_list_command(app, list);
     add_validate_command(app, validate);
     try {
@@ -64,6 +67,7 @@ int run_command_line(int argc, char** argv) {
         if (app.got_subcommand("render")) return run_render(render);
         if (app.got_subcommand("play")) return run_play_command(play);
         if (app.got_subcommand("info")) return run_info(info);
+        if (app.got_subcommand("convert")) return run_convert(convert);
         if (app.got_subcommand("validate")) return run_validate(validate);
         return run_list(list);
     } catch (const UsageError& error) {
