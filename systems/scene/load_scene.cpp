@@ -39,6 +39,7 @@ public:
         }
         tell_models();
         cache_.finish(world);
+        cache_.forget_scene(path);
         world.set_resource(std::move(document_));
         set_scene_spawner(app_, path, style, std::move(cache_));
         result.roots = std::move(built_.roots);

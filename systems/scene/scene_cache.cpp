@@ -28,6 +28,8 @@ std::shared_ptr<const SceneFile> SceneCache::scene(const std::filesystem::path& 
     return scenes_.emplace(key, std::make_shared<const SceneFile>(SceneFile::read(file))).first->second;
 }
 
+void SceneCache::forget_scene(const std::filesystem::path& file) { scenes_.erase(canonical_path(file)); }
+
 SpawnedModel SceneCache::spawn(World& world, const std::filesystem::path& file, const TypeRegistry& types) {
     CachedModel& cached = model(file);
     SpawnedModel spawned = spawn_model(world, cached.model, cached.stored, &types);

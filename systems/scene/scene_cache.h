@@ -35,6 +35,9 @@ public:
     /// The same where many copies are likely: all but the first few are copied from a prototype.
     Entity spawn_copy(World& world, const std::filesystem::path& file, const TypeRegistry& types);
 
+    /// Lets go of a scene that is not going to be used again.
+    void forget_scene(const std::filesystem::path& file);
+
     /// Destroys the prototypes, and forgets what only the first spawning of a model reads.
     void finish(World& world);
 

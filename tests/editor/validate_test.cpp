@@ -39,9 +39,9 @@ TEST(Validate, TellsEveryFaultWithItsPlace) {
               "fault: bad.scene.json: gooch.b: 2 is outside [0, 1] (line 2, column 31: /entities/0/gooch/b)\n"
               "fault: bad.scene.json: gooch.y: 3 is outside [0, 1] (line 2, column 39: /entities/0/gooch/y)\n"
               "warning: bad.scene.json: there is no component 'zork' (line 3, column 35: /entities/2/zork)\n"
-              "fault: bad.json: gooch.b: 2 is outside [0, 1] (line 2, column 30: /surface/gooch/b)\n"
-              "fault: bad.json: component 'gooch' has no field 'zap' (line 2, column 40: /surface/gooch/zap)\n"
-              "fault: bad.json: there is no component 'none' (line 2, column 52: /surface/none)\n"
+              "fault: bad.json: gooch.b: 2 is outside [0, 1] (line 2, column 29: /surface/gooch/b)\n"
+              "fault: bad.json: component 'gooch' has no field 'zap' (line 2, column 39: /surface/gooch/zap)\n"
+              "fault: bad.json: there is no component 'none' (line 2, column 51: /surface/none)\n"
               "3 files, 6 faults, 1 warning\n");
 }
 

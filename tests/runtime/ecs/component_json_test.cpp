@@ -94,5 +94,21 @@ TEST_F(ComponentJsonTest, ErrorsNameComponentFieldAndPlaceAndNothingIsWritten) {
                 ThrowsMessage<Error>(StrEq("everything.ratio: 9 is outside [0, 0.1] (/ratio)")));
 }
 
+TEST_F(ComponentJsonTest, ErrorsSayWherePlacesStandForWhoeverKnows) {
+    const JsonPlace place{"a.json", "/x", [](std::string_view at) { return "line 7: " + std::string(at); }};
+    EXPECT_THAT([&] { from_json(type, &value, json::parse(R"({"ratio": 9})"), place); },
+                ThrowsMessage<Error>(StrEq("a.json: everything.ratio: 9 is outside [0, 0.1] (line 7: /x/ratio)")));
+    EXPECT_THAT(
+        [&] { from_json(type, &value, 5, place); },
+        ThrowsMessage<Error>(StrEq("a.json: everything: the fields of a component are an object (line 7: /x)")));
+}
+
+TEST_F(ComponentJsonTest, FieldsAreReadAndWrittenOneByOneToo) {
+    const FieldInfo& ratio = *type.field("ratio");
+    EXPECT_EQ(to_json(ratio, field_from_json(ratio, 0.05)), 0.05);
+    EXPECT_THAT([&] { static_cast<void>(field_from_json(ratio, 9)); },
+                ThrowsMessage<Error>(StrEq("everything.ratio: 9 is outside [0, 0.1]")));
+}
+
 } // namespace
 } // namespace hachure::test
