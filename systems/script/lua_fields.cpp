@@ -25,7 +25,9 @@ template <class T> T load(const void* component, const FieldInfo& field) {
 void push_integer(lua_State* state, const FieldInfo& field, const void* component) {
     const bool is_signed = std::holds_alternative<std::int64_t>(field.default_value);
     if (field.bits == 64) return lua_pushinteger(state, load<std::int64_t>(component, field)); // wraps as Lua's do
-    lua_pushinteger(state, is_signed ? load<std::int32_t>(component, field) : load<std::uint32_t>(component, field));
+    const lua_Integer value = is_signed ? lua_Integer{load<std::int32_t>(component, field)}
+                                        : lua_Integer{load<std::uint32_t>(component, field)};
+    lua_pushinteger(state, value);
 }
 
 void push_option(lua_State* state, const FieldKey& field, const void* component) {

@@ -73,9 +73,10 @@ void* Machine::allocate(void* self, void* block, std::size_t old_size, std::size
 }
 
 void Machine::refuse(bool text) {
+    if (stopped_) return;
     line_ = current_line(running_);
     // After the first refusal Lua collects what is garbage, and asks again.
-    if (!std::exchange(refused_, true) || !in_turn_ || stopped_) return;
+    if (!std::exchange(refused_, true) || !in_turn_) return;
     stopped_ = true;
     reason_ = text ? fmt::format("a text of more than {} bytes", limits_.text)
                    : fmt::format("scripts hold more than {} bytes of memory", limits_.memory);

@@ -75,15 +75,16 @@ int spawn(lua_State* state) {
     return 1;
 }
 
-void send_to(World& world, Entity entity, std::string_view name) {
-    send_event(world, SceneEvent{entity, std::string(name)});
+void send_to(Context& context, Entity entity, std::string_view name) {
+    context.sent.push_back({entity, std::string(name)});
+    send_event(*context.world, context.sent.back());
 }
 
 int send(lua_State* state) {
     const std::string_view name = check_text(state, 1);
     const Entity entity = lua_isnoneornil(state, 2) ? Entity::null : check_alive(state, 2);
     context_of(state).machine->charge(state, steps_of_sending + static_cast<std::int64_t>(name.size()));
-    send_to(*context_of(state).world, entity, name);
+    send_to(context_of(state), entity, name);
     return 0;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hachure/components/name_index.h>
+#include <hachure/components/scene_event.h>
 #include <hachure/runtime/ecs/reflect.h>
 #include <hachure/runtime/ecs/world.h>
 #include <hachure/systems/script/component_keys.h>
@@ -28,6 +29,7 @@ struct Context {
     // Of the frame.
     double seconds = 0;
     std::uint64_t frame = 0;
+    std::vector<SceneEvent> sent; ///< by scripts, to be given to scripts in the next frame
 
     // Kept here, since errors of Lua jump over the end of C++ objects.
     std::string fault;              ///< about to be raised

@@ -79,7 +79,10 @@ void ScriptEngine::run(World& world, const Time& time) {
     turn.delta = time.delta;
     turn.scene_events = events_since<SceneEvent>(world, seen_);
     turn.clip_events = events_since<ClipEvent>(world, seen_);
-    seen_ = world.tick() - 1; // what scripts send in this tick is for the next frame
+    seen_ = world.tick();
+    sent_.clear(); // what scripts send has this tick, too, and comes in the next frame
+    sent_.swap(context_.sent);
+    turn.sent = sent_;
     for (const Entity entity : scripts_) run_script(world, entity, turn);
     context_.world = nullptr;
 }

@@ -46,6 +46,7 @@ private:
     std::unordered_map<std::uint64_t, std::uint64_t> alike_; ///< how many scripts had a random key so far
     std::set<std::string> logged_;                           ///< so that a hundred of a kind say it once
     std::vector<Entity> scripts_;                            ///< of this frame
+    std::vector<SceneEvent> sent_;                           ///< by scripts in the frame before
     Tick seen_ = 0;                                          ///< events up to here have been given
 };
 

@@ -59,6 +59,10 @@ void send_event(lua_State* state, const Instance& instance, const std::string& n
     lua_call(state, 2, 0);
 }
 
+void send_event(lua_State* state, const Instance& instance, const SceneEvent& event) {
+    if (!event.entity || event.entity == instance.entity) send_event(state, instance, event.name, event.entity);
+}
+
 /// Whether `entity` is `ancestor` or below it.
 bool is_at_or_below(const World& world, Entity entity, Entity ancestor) {
     while (entity && entity != ancestor) entity = world.parent(entity);
@@ -76,8 +80,8 @@ int run_turn(lua_State* state) {
         begin(state, turn);
     else
         lua_rawgeti(state, LUA_REGISTRYINDEX, instance.environment);
-    for (const SceneEvent& event : turn.scene_events)
-        if (!event.entity || event.entity == instance.entity) send_event(state, instance, event.name, event.entity);
+    for (const SceneEvent& event : turn.sent) send_event(state, instance, event);
+    for (const SceneEvent& event : turn.scene_events) send_event(state, instance, event);
     for (const ClipEvent& event : turn.clip_events)
         if (is_at_or_below(*context.world, event.model, instance.entity))
             send_event(state, instance, event.name, event.model);

@@ -6,6 +6,7 @@
 #include <hachure/systems/script/script_context.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace hachure::script {
@@ -26,7 +27,8 @@ struct Turn {
     Instance* instance = nullptr;
     int program = 0; ///< the compiled file, a reference in Lua's registry
     double delta = 0;
-    EventRange<SceneEvent> scene_events;
+    EventRange<SceneEvent> scene_events; ///< of others
+    std::span<const SceneEvent> sent;    ///< by scripts in the frame before
     EventRange<ClipEvent> clip_events;
 };
 

@@ -85,7 +85,7 @@ TEST_F(ScriptTest, ComponentsComeAndGo) {
         assert(g.b == 0.5 and g.y == 0.25)
         assert(self:remove('gooch') and not self:remove('gooch'))
         local ok, message = pcall(function() return g.b end)
-        assert(not ok and message == 'fox.lua:9: the entity has no gooch any more', message)
+        assert(not ok and message == 'fox.lua:8: the entity has no gooch any more', message)
         self:add('gooch'))");
     ASSERT_TRUE(errors().empty()) << errors()[0].message;
     EXPECT_EQ(world().get<Gooch>(fox), Gooch());

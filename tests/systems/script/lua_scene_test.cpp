@@ -38,11 +38,11 @@ TEST_F(ScriptTest, QueriesWalkInOrderOfSlots) {
 TEST_F(ScriptTest, StructureMayChangeDuringAQuery) {
     for (int i = 0; i < 100; ++i) world().create_with(Gooch{});
     EXPECT_EQ(answer(R"(
-        local n, others = 0, {}
-        for e in scene.query('gooch') do others[#others + 1] = e end
+        local n, others, place = 0, {}, {}
+        for e in scene.query('gooch') do others[#others + 1] = e; place[e] = #others end
         for e in scene.query('gooch') do
             n = n + 1
-            if n % 2 == 1 then others[n + 1]:destroy() end
+            others[place[e] + 1]:destroy()
             e:remove('gooch')
             e:add('transform')
             scene.find('Fox'):add('gooch')
