@@ -1,3 +1,4 @@
+#include <hachure/editor/play/play_document.h>
 #include <hachure/editor/validate_command.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/assets/json_text.h>
@@ -37,6 +38,12 @@ Findings check_style(const std::filesystem::path& file) {
     return result;
 }
 
+Findings check_play(const std::filesystem::path& file) {
+    App app;
+    register_capabilities(app);
+    return {play::play_faults(app.types(), file), {}};
+}
+
 Findings check_model(const std::filesystem::path& file) { return {{}, assets::read_model(file).warnings}; }
 
 Findings check(const std::filesystem::path& file) {
@@ -46,8 +53,8 @@ Findings check(const std::filesystem::path& file) {
     try {
         if (kind != kinds.end()) return kind->check(file);
         if (assets::input_kind(file) == assets::InputKind::model) return check_model(file);
-        throw Error(file.string(),
-                    "is no kind of file that can be checked: scenes (.scene.json), styles (.json), models");
+        throw Error(file.string(), "is no kind of file that can be checked: scenes (.scene.json), playback tests "
+                                   "(.play.json), styles (.json), models");
     } catch (const Error& error) {
         return {{error.what()}, {}};
     }
@@ -57,7 +64,11 @@ void print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), std
 
 } // namespace
 
-std::vector<Checker> checkers() { return {{".scene.json", "scene", check_scene}, {".json", "style", check_style}}; }
+std::vector<Checker> checkers() {
+    return {{".scene.json", "scene", check_scene},
+            {".play.json", "playback test", check_play},
+            {".json", "style", check_style}};
+}
 
 void add_validate_command(CLI::App& app, ValidateOptions& options) {
     CLI::App* command = app.add_subcommand("validate", "Tell all that is wrong with scenes, styles and models");

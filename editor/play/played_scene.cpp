@@ -1,28 +1,23 @@
-#include <hachure/editor/load_model.h>
+#include <hachure/editor/open_input.h>
 #include <hachure/editor/play/allocation_counter.h>
 #include <hachure/editor/play/played_scene.h>
 #include <hachure/editor/playback_clock.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/app/input.h>
 #include <hachure/runtime/assets/extension.h>
-#include <hachure/runtime/assets/read_model.h>
-#include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/scene_seed.h>
 #include <hachure/systems/capabilities.h>
-#include <hachure/systems/styles/style.h>
 
 namespace hachure::play {
 namespace {
 
 /// The one place that says how a test's input is opened.
 void open_scene(App& app, const PlayDocument& play) {
-    if (assets::input_kind(play.scene) != assets::InputKind::model)
-        throw Error(play.scene.string(), "is no model that can be played");
-    const std::string name = play.style.empty() ? "gooch" : play.style;
-    const bool preset = assets::lower_extension(name) == ".json";
-    const Style style = find_style(app.types(), preset ? (play.folder / name).string() : name);
-    load_model(app, assets::read_model(play.scene), play.scene, play.size, play.clip);
-    apply_style(app.world(), app.types(), style);
+    const bool preset = assets::lower_extension(play.style) == ".json";
+    const std::string style = preset ? (play.folder / play.style).string() : play.style;
+    // A model plays its clip, a scene what it says itself.
+    const bool is_scene = is_scene_name(play.scene) && play.clip.empty();
+    open_input(app, play.scene, play.size, {style, is_scene ? std::nullopt : std::optional<std::string>(play.clip)});
 }
 
 void assign(App& app, std::span<const std::string> sets) {
