@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace hachure {
@@ -20,6 +21,12 @@ bool is_called(const World& world, Entity entity, std::string_view path) {
         if (path.back() != '/') return false;
         path.remove_suffix(1);
     }
+    return false;
+}
+
+bool is_below(const World& world, Entity entity, Entity root) {
+    while ((entity = world.parent(entity)))
+        if (entity == root) return true;
     return false;
 }
 
@@ -97,7 +104,7 @@ Entity NameIndex::find(const World& world, std::string_view path) const {
     return all.empty() ? Entity::null : all.front();
 }
 
-std::vector<Entity> NameIndex::find_all(const World& world, std::string_view path) const {
+std::vector<Entity> NameIndex::matches(const World& world, std::string_view path) const {
     std::vector<Entity> result;
     // The entity's own name is the whole path, or what follows one of its slashes.
     for (std::size_t begin = 0;; ++begin) {
@@ -107,8 +114,30 @@ std::vector<Entity> NameIndex::find_all(const World& world, std::string_view pat
         begin = path.find('/', begin);
         if (begin == path.npos) break;
     }
+    return result;
+}
+
+std::vector<Entity> NameIndex::find_all(const World& world, std::string_view path) const {
+    std::vector<Entity> result = matches(world, path);
     sort_by_tree(world, result);
     return result;
+}
+
+Entity NameIndex::find_below(const World& world, Entity root, std::string_view path) const {
+    std::vector<Entity> found = matches(world, path);
+    // Many of that name, few below: copies of something, each with its own.
+    std::vector<Entity> todo{root};
+    for (std::size_t looked_at = 0; !todo.empty() && looked_at < found.size(); ++looked_at) {
+        const Entity entity = todo.back();
+        todo.pop_back();
+        if (entity != root && is_called(world, entity, path)) return entity;
+        const std::span<const Entity> children = world.children(entity);
+        todo.insert(todo.end(), children.rbegin(), children.rend());
+    }
+    if (todo.empty()) return Entity::null;
+    std::erase_if(found, [&](Entity entity) { return !is_below(world, entity, root); });
+    sort_by_tree(world, found);
+    return found.empty() ? Entity::null : found.front();
 }
 
 } // namespace hachure

@@ -23,6 +23,10 @@ public:
     /// The first match, or null. What happened to the world after `update` may be missed, but what is found is right.
     [[nodiscard]] Entity find(const World& world, std::string_view path) const;
 
+    /// The first match below `root` (not itself), or null. Costs as many steps as there are entities below or, where
+    /// they are fewer, matches.
+    [[nodiscard]] Entity find_below(const World& world, Entity root, std::string_view path) const;
+
     /// All matches.
     [[nodiscard]] std::vector<Entity> find_all(const World& world, std::string_view path) const;
 
@@ -38,6 +42,8 @@ private:
         std::size_t position;    ///< in the list there
     };
 
+    /// All matches, in any order.
+    [[nodiscard]] std::vector<Entity> matches(const World& world, std::string_view path) const;
     void insert(Entity entity, const std::string& name);
     void erase(Entity entity);
 

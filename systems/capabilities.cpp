@@ -10,6 +10,7 @@
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/surface/surface.h>
+#include <hachure/systems/timeline/timeline.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/systems/velocity/velocity.h>
 
@@ -18,6 +19,7 @@ namespace hachure {
 void register_capabilities(App& app) {
     app.add_component<Name>();
     register_transform(app);
+    register_timeline(app);
     register_animation(app);
     register_deform(app);
     register_curvature(app);

@@ -1,4 +1,5 @@
 #include <hachure/runtime/animation/interpolate.h>
+#include <hachure/runtime/animation/key_search.h>
 #include <hachure/runtime/animation/sample_clip.h>
 #include <hachure/runtime/assert.h>
 
@@ -10,61 +11,12 @@ namespace {
 
 using Place = SampleCache::Place;
 
-/// Finds the last key at or before a moment, galloping from where the last search ended: the cost is the logarithm of
-/// the distance.
-class KeySearch {
-public:
-    KeySearch(std::span<const float> times, double time) : times_(times), time_(time) {}
-
-    Place from(std::uint32_t hint) {
-        if (!passed(0)) return {};
-        const std::size_t last = times_.size() - 1;
-        if (passed(last)) return {static_cast<std::uint32_t>(last), 0.0f, 0.0};
-        const std::size_t k = between(std::min<std::size_t>(hint, last));
-        const double start = times_[k], length = times_[k + 1] - start;
-        return {static_cast<std::uint32_t>(k), static_cast<float>((time_ - start) / length), length};
-    }
-
-    std::uint64_t looked_at = 0;
-
-private:
-    bool passed(std::size_t k) {
-        ++looked_at;
-        return times_[k] <= time_;
-    }
-
-    /// The first key is passed, the last one is not.
-    std::size_t between(std::size_t hint) {
-        std::size_t low = 0, high = times_.size() - 1;
-        if (passed(hint)) {
-            low = hint;
-            for (std::size_t step = 1; low + step < high; step *= 2) {
-                if (!passed(low + step)) {
-                    high = low + step;
-                    break;
-                }
-                low += step;
-            }
-        } else {
-            high = hint;
-            for (std::size_t step = 1; step < high; step *= 2) {
-                if (passed(high - step)) {
-                    low = high - step;
-                    break;
-                }
-                high -= step;
-            }
-        }
-        while (high - low > 1) {
-            const std::size_t middle = low + (high - low) / 2;
-            (passed(middle) ? low : high) = middle;
-        }
-        return low;
-    }
-
-    std::span<const float> times_;
-    double time_;
-};
+/// Between which keys a moment lies, when `key` is the last one at or before it.
+Place place_at(std::span<const float> times, double time, std::uint32_t key) {
+    if (time < times[key] || key + 1 == times.size()) return {key, 0.0f, 0.0};
+    const double start = times[key], length = times[key + 1] - start;
+    return {key, static_cast<float>((time - start) / length), length};
+}
 
 std::span<const float> key_times_of(const Clip& clip, const KeyTimes& keys) {
     return {clip.times.data() + keys.first, keys.count};
@@ -159,8 +111,9 @@ void SampleClipJob::run() {
     std::vector<Place>& places = cache->places;
     places.resize(clip->key_times.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
-        KeySearch search(key_times_of(*clip, clip->key_times[i]), time);
-        places[i] = search.from(places[i].key);
+        const std::span<const float> times = key_times_of(*clip, clip->key_times[i]);
+        KeySearch search(times, time);
+        places[i] = place_at(times, time, search.from(places[i].key));
         cache->keys_looked_at += search.looked_at;
     }
     for (const Track& track : clip->tracks) {
@@ -181,7 +134,8 @@ void sample_node(const Clip& clip, std::uint32_t node, double time, JointPose& p
     for (const AnimationPath path : {AnimationPath::translation, AnimationPath::rotation, AnimationPath::scale}) {
         const Track* track = find_track(clip, node, path);
         if (track == nullptr) continue;
-        write_joint(Keys(clip, *track, KeySearch(clip.times_of(*track), time).from(0)), pose);
+        const std::span<const float> times = clip.times_of(*track);
+        write_joint(Keys(clip, *track, place_at(times, time, KeySearch(times, time).from(0))), pose);
     }
 }
 
