@@ -25,7 +25,9 @@ struct ScenePartSource {
 /// Something of an entity that a scene file says beside its reflected components, because it is more than a set of
 /// fields: a timeline, a state machine. It stands in the entity's object under its name.
 struct ScenePart {
-    std::string name;      ///< lower case with underscores; its own among parts and reflected components
+    /// Lower case with underscores; its own among parts. Where a reflected component has it too, the part stands in the
+    /// component's place: it is read and written, fields and all, and the component by itself is not.
+    std::string name;
     std::string doc;       ///< one line
     nlohmann::json schema; ///< JSON schema (2020-12) of its value
 
