@@ -163,6 +163,11 @@ TEST_F(NameIndexTest, StaysAsIfBuiltAfresh) {
         const std::string path = name + "/" + static_cast<char>('a' + pick(6));
         ASSERT_EQ(all(name), fresh.find_all(world, name)) << step;
         ASSERT_EQ(all(path), fresh.find_all(world, path)) << step;
+        const Entity root = known[pick(known.size())];
+        const std::vector<Entity> below = world.descendants(root), matches = all(path);
+        const auto first =
+            std::ranges::find_if(matches, [&](Entity match) { return std::ranges::find(below, match) != below.end(); });
+        ASSERT_EQ(index.find_below(world, root, path), first == matches.end() ? Entity::null : *first) << step;
         std::vector<Entity> carriers;
         for (auto [carrier, carried] : world.query<const Name>())
             if (carried.text == name) carriers.push_back(carrier);
