@@ -12,14 +12,17 @@
 #include <hachure/runtime/ecs/time.h>
 #include <hachure/runtime/parallel.h>
 #include <hachure/systems/animation/animation.h>
+#include <hachure/systems/animation/animation_parts.h>
 #include <hachure/systems/animation/model_player.h>
 
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace hachure {
@@ -200,6 +203,8 @@ void register_animation(App& app) {
     World& world = app.world();
     if (!world.find_resource<ClipStore>()) world.set_resource(ClipStore{});
     world.set_resource(AnimationCounts{});
+    for (ScenePart& part : std::array{animation_states_part(), animation_layers_part(), animation_events_part()})
+        add_scene_part(world, std::move(part));
     // The players are too heavy, and too much the system's own, to be copied with it.
     app.add_system(Stage::animate, "animation",
                    [system = std::make_shared<AnimationSystem>(app.types())](
