@@ -33,7 +33,8 @@ bool is_below(const World& world, Entity entity, Entity root) {
 /// Where entities stand in the tree.
 class TreeOrder {
 public:
-    explicit TreeOrder(const World& world) : world_(&world) {}
+    /// For `count` entities.
+    TreeOrder(const World& world, std::size_t count) : world_(&world), few_(count < 32) {}
 
     /// The slot of the root, then the place among the siblings on each level: compares as the order of the tree does.
     std::vector<std::uint32_t> place(Entity entity) {
@@ -47,20 +48,24 @@ public:
 
 private:
     std::uint32_t place_below(Entity parent, Entity child) {
+        const std::span<const Entity> siblings = world_->children(parent);
+        // Looking through a row is faster than a table of it, unless it is looked through often.
+        if (few_) return static_cast<std::uint32_t>(std::ranges::find(siblings, child) - siblings.begin());
         if (const auto known = places_.find(child); known != places_.end()) return known->second;
         // All siblings at once, as others of them are likely to be asked for.
         std::uint32_t place = 0;
-        for (const Entity sibling : world_->children(parent)) places_[sibling] = place++;
+        for (const Entity sibling : siblings) places_[sibling] = place++;
         return places_.at(child);
     }
 
     const World* world_;
+    bool few_;
     std::unordered_map<Entity, std::uint32_t> places_;
 };
 
 void sort_by_tree(const World& world, std::vector<Entity>& entities) {
     if (entities.size() < 2) return;
-    TreeOrder order(world);
+    TreeOrder order(world, entities.size());
     std::vector<std::pair<std::vector<std::uint32_t>, Entity>> placed;
     for (const Entity entity : entities) placed.emplace_back(order.place(entity), entity);
     std::ranges::sort(placed);

@@ -64,10 +64,10 @@ public:
     }
 
     /// The best of many frames, and the middle one.
-    void measure(int frames, int come_and_go) {
+    void measure(int frames, int come_and_go, const char* name = "guest") {
         std::vector<double> all;
         for (int i = 0; i < frames; ++i) {
-            exchange(come_and_go);
+            exchange(come_and_go, name);
             app_.run_frame(1.0 / 60.0);
             for (const SystemTime& time : app_.schedule().times())
                 if (time.name == "timeline") all.push_back(time.ms);
@@ -82,10 +82,10 @@ public:
     double read_ms = 0.0, best = 0.0, middle = 0.0;
 
 private:
-    void exchange(int count) {
+    void exchange(int count, const char* name) {
         World& world = app_.world();
         for (int i = 0; i < count; ++i) {
-            const Entity guest = world.create_with(Name{fmt::format("guest {}", i)}, Transform{});
+            const Entity guest = world.create_with(Name{fmt::format("{} {}", name, i)}, Transform{});
             world.set_parent(guest, director_);
             guests_.push_back(guest);
         }
@@ -117,6 +117,8 @@ int main(int argc, char** argv) {
     const double still = show.best;
     show.measure(frames, guests);
     report.add_limited(who + fmt::format("frame while {} come and go", guests), show.middle, "ms", limit_ms);
+    show.measure(frames, guests, "thing");
+    report.add_limited(who + "the same, with names of targets", show.middle, "ms", limit_ms);
     show.pause();
     show.measure(arguments.quick ? 3 : 50, 0);
     report.add(who + "frame when paused", show.middle, "ms");
