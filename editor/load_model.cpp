@@ -1,5 +1,7 @@
 #include <hachure/components/animation.h>
+#include <hachure/components/name.h>
 #include <hachure/components/rig.h>
+#include <hachure/components/scene.h>
 #include <hachure/editor/load_model.h>
 #include <hachure/runtime/app/log.h>
 #include <hachure/runtime/error.h>
@@ -51,11 +53,18 @@ void load_model(App& app, const assets::Model& model, const std::filesystem::pat
     for (const std::string& warning : model.warnings) log_warning(file.string() + ": " + warning);
     for (const std::string& warning : spawned.warnings) log_warning(file.string() + ": " + warning);
     if (spawned.points.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
-    if (!std::ranges::all_of(spawned.points, fits))
-        throw Error(file.string(), "is too large to be drawn: a vertex lies more than 1e15 m from the origin");
+    check_drawable(file, spawned.points);
     if (clip) play(world, model, spawned, file, *clip);
-    if (spawned.cameras.empty()) spawn_framing_camera(world, spawned.points, canvas);
-    if (spawned.lights.empty()) spawn_default_light(world);
+    // What a scene file of this world has to say of it: the model and what its root carries.
+    world.for_each_descendant(spawned.root, [&](Entity entity) { world.add(entity, Unsaved{}); });
+    world.add(spawned.root, SceneReference{.file = file, .own_name = world.get<Name>(spawned.root).text});
+    if (spawned.cameras.empty()) world.add(spawn_framing_camera(world, spawned.points, canvas), Unsaved{});
+    if (spawned.lights.empty()) world.add(spawn_default_light(world), Unsaved{});
+}
+
+void check_drawable(const std::filesystem::path& file, std::span<const glm::vec3> points) {
+    if (!std::ranges::all_of(points, fits))
+        throw Error(file.string(), "is too large to be drawn: a vertex lies more than 1e15 m from the origin");
 }
 
 } // namespace hachure

@@ -4,8 +4,11 @@
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/scene/view.h>
 
+#include <glm/vec3.hpp>
+
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace hachure {
@@ -15,5 +18,8 @@ namespace hachure {
 /// go to stderr. Throws Error when there is nothing to draw, or no such clip.
 void load_model(App& app, const assets::Model& model, const std::filesystem::path& file, Canvas canvas,
                 const std::optional<std::string>& clip = std::nullopt);
+
+/// Throws Error when a point lies where floats can't draw it.
+void check_drawable(const std::filesystem::path& file, std::span<const glm::vec3> points);
 
 } // namespace hachure

@@ -3,7 +3,7 @@
 #include <hachure/editor/frame_plan.h>
 #include <hachure/editor/frame_stats.h>
 #include <hachure/editor/interrupt.h>
-#include <hachure/editor/load_model.h>
+#include <hachure/editor/open_input.h>
 #include <hachure/editor/playback_clock.h>
 #include <hachure/editor/render_command.h>
 #include <hachure/editor/render_outputs.h>
@@ -63,8 +63,7 @@ void check_style_name(const std::string& name) {
 void check_input(const RenderOptions& options) {
     const assets::InputKind kind = assets::input_kind(options.input);
     if (kind == assets::InputKind::image || kind == assets::InputKind::video)
-        throw Error(options.input.string(),
-                    "style '" + options.style + "' draws models; an image or a video has no surfaces");
+        throw Error(options.input.string(), "styles draw models and scenes; an image or a video has no surfaces");
 }
 
 gpu::ContextOptions context_options(gpu::Backend backend, Canvas canvas) {
@@ -84,13 +83,11 @@ void check_size(Canvas canvas, const gpu::Context& context) {
 }
 
 /// A whole scene, ready to be drawn.
-void load_scene(App& app, const RenderOptions& options, const assets::Model& model, const Style& style,
-                std::span<const Assignment> assignments, Canvas canvas) {
-    std::optional<std::string> clip;
+void load_scene(App& app, const RenderOptions& options, std::span<const Assignment> assignments, Canvas canvas) {
+    OpenOptions open{options.style, std::nullopt};
     // Who asks for a moment, or for many, wants to see what moves.
-    if (!options.clip.empty() || !options.frames.empty() || !options.time.empty()) clip = options.clip;
-    load_model(app, model, options.input, canvas, clip);
-    apply_style(app.world(), app.types(), style);
+    if (!options.clip.empty() || !options.frames.empty() || !options.time.empty()) open.clip = options.clip;
+    open_input(app, options.input, canvas, open);
     apply_assignments(app.world(), assignments);
 }
 
@@ -123,15 +120,18 @@ void draw_frames(App& app, Renderer& renderer, const FramePlan& plan, const Rend
 } // namespace
 
 void add_render_command(CLI::App& app, RenderOptions& options) {
-    CLI::App* command = app.add_subcommand("render", "Render a model in a style to a picture, pictures or a film");
-    command->add_option("INPUT", options.input, "a glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+    CLI::App* command =
+        app.add_subcommand("render", "Render a scene or a model in a style to a picture, pictures or a film");
+    command->add_option("INPUT", options.input, "a scene (.scene.json), or a glTF, GLB, OBJ, PLY, OFF or STL file")
+        ->required();
     command
         ->add_option("-o,--output", options.output,
                      "a picture, .png (sRGB) or .exr (linear float), numbered when its name has #s: out.####.png; or a "
                      "film of all --frames, .gif or .mp4 (H.264; odd sizes get a row or column more)")
         ->required();
-    command->add_option("--style", options.style, "a style (see `hachure list styles`) or a preset FILE.json")
-        ->capture_default_str();
+    command->add_option("--style", options.style,
+                        "a style (see `hachure list styles`) or a preset FILE.json "
+                        "(default: the scene's own, else gooch)");
     command->add_option("--size", options.size, "WIDTHxHEIGHT of the picture, pixels")->capture_default_str();
     command->add_option("--backend", options.backend, "where the OpenGL context comes from: auto, egl, osmesa, glfw")
         ->capture_default_str();
@@ -171,18 +171,19 @@ int run_render(const RenderOptions& options) {
     App app;
     register_capabilities(app);
     const std::vector<Assignment> assignments = parse_assignments(app.types(), options.sets);
-    check_style_name(options.style);
-    const Style style = find_style(app.types(), options.style);
+    if (!options.style.empty()) {
+        check_style_name(options.style);
+        static_cast<void>(find_style(app.types(), options.style)); // says what is wrong with it before all else
+    }
     check_outputs(app, outputs, plan);
     check_input(options);
 
     Progress progress("reading " + options.input.filename().string());
-    const assets::Model model = assets::read_model(options.input);
+    load_scene(app, options, assignments, canvas);
     progress.stage("preparing");
     context = gpu::make_context(context_options(backend, canvas));
     check_size(canvas, *context);
     Renderer renderer(app, *context);
-    load_scene(app, options, model, style, assignments, canvas);
     progress.stage("drawing");
     draw_frames(app, renderer, plan, outputs, progress);
     return 0;

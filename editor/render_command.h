@@ -14,7 +14,7 @@ namespace hachure {
 struct RenderOptions {
     std::filesystem::path input;
     std::filesystem::path output;
-    std::string style = "gooch";
+    std::string style; ///< empty: the scene's own, else gooch
     std::string size = "1024x768";
     std::string backend = "auto";
     std::vector<std::string> aovs; ///< NAME=FILE.exr

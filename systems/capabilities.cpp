@@ -9,6 +9,7 @@
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
+#include <hachure/systems/scene/scene.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
 #include <hachure/systems/transform/transform.h>
@@ -18,6 +19,7 @@ namespace hachure {
 
 void register_capabilities(App& app) {
     app.add_component<Name>();
+    register_scene(app);
     register_transform(app);
     register_timeline(app);
     register_animation(app);

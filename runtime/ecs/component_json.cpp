@@ -68,32 +68,42 @@ std::string field_text(const FieldInfo& field, const json& value) {
     return text;
 }
 
+/// The place of a value, or of a field of it.
+std::string place_text(const JsonPlace& place, std::string_view field = {}) {
+    const std::string pointer = field.empty() ? place.pointer : place.pointer + "/" + std::string(field);
+    return place.where ? place.where(pointer) : pointer;
+}
+
 } // namespace
+
+json to_json(const FieldInfo& field, const FieldValue& value) { return std::visit(Write{field}, value); }
+
+FieldValue field_from_json(const FieldInfo& field, const json& value) {
+    return parse_field(field, field_text(field, value));
+}
 
 json to_json(const TypeInfo& type, const void* component, JsonFields which) {
     json result = json::object();
     for (const FieldInfo& field : type.fields) {
         const FieldValue value = field.get(component);
-        if (which == JsonFields::all || value != field.default_value)
-            result[field.name] = std::visit(Write{field}, value);
+        if (which == JsonFields::all || value != field.default_value) result[field.name] = to_json(field, value);
     }
     return result;
 }
 
 FieldValues fields_from_json(const TypeInfo& type, const json& fields, const JsonPlace& place) {
     if (!fields.is_object())
-        throw Error(place.subject, type.name + ": the fields of a component are an object", place.pointer);
+        throw Error(place.subject, type.name + ": the fields of a component are an object", place_text(place));
     FieldValues result;
     for (const auto& [name, value] : fields.items()) {
-        const std::string pointer = place.pointer + "/" + name;
         const FieldInfo* field = type.field(name);
         if (!field)
             throw Error(place.subject, "component '" + type.name + "' has no field '" + name.substr(0, 60) + "'",
-                        pointer);
+                        place_text(place, name));
         try {
-            result.emplace_back(field, parse_field(*field, field_text(*field, value)));
+            result.emplace_back(field, field_from_json(*field, value));
         } catch (const Error& error) {
-            throw Error(place.subject, error.what(), pointer);
+            throw Error(place.subject, error.what(), place_text(place, name));
         }
     }
     return result;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,15 @@ enum class JsonFields {
 struct JsonPlace {
     std::string_view subject; ///< a file's name; may be empty
     std::string pointer;      ///< the JSON pointer of the value
+    /// Says of a pointer where it stands, such as its line and column; empty where that is the pointer itself.
+    std::function<std::string(std::string_view pointer)> where = {};
 };
+
+/// A field's value as JSON; see `to_json` of a component.
+nlohmann::json to_json(const FieldInfo& field, const FieldValue& value);
+
+/// Reads one field, as `fields_from_json` reads it. Throws Error(field.path, fault) without a place.
+FieldValue field_from_json(const FieldInfo& field, const nlohmann::json& value);
 
 /// A component as a JSON object: booleans and numbers as such, vectors, colours and quaternions (x, y, z, w) as arrays,
 /// texts, options and entities ("12v3") as strings, the null entity as null.

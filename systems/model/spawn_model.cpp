@@ -53,12 +53,13 @@ template <class R> R& resource_of(World& world) {
     return world.resource_mutable<R>();
 }
 
-class Spawner {
+class ModelSpawner {
 public:
-    Spawner(World& world, const Model& model)
-        : world_(world), model_(model), matrices_(node_matrices(model.nodes)), store_(resource_of<MeshStore>(world)),
-          materials_(model, store_, result_.warnings), nodes_(model.nodes.size(), Entity::null),
-          morphs_(model.nodes.size(), Entity::null), surfaces_(model.nodes.size(), Entity::null) {}
+    ModelSpawner(World& world, const Model& model, StoredModel& stored)
+        : world_(world), model_(model), stored_(stored), matrices_(node_matrices(model.nodes)),
+          store_(resource_of<MeshStore>(world)), materials_(model, store_, result_.warnings),
+          nodes_(model.nodes.size(), Entity::null), morphs_(model.nodes.size(), Entity::null),
+          surfaces_(model.nodes.size(), Entity::null) {}
 
     SpawnedModel run() {
         const assets::Scene& scene = model_.scenes[static_cast<std::size_t>(model_.default_scene)];
@@ -76,7 +77,8 @@ public:
         }
         for (const auto& [entity, skin] : skinned_) world_.add(entity, skin_component(skin));
         add_rig();
-        result_.points = scene_points(model_, model_.nodes);
+        if (!stored_.points) stored_.points = scene_points(model_, model_.nodes);
+        result_.points = *stored_.points;
         return std::move(result_);
     }
 
@@ -104,16 +106,20 @@ private:
 
     void add_rig() {
         if (model_.animations.empty()) return;
+        if (!stored_.clips) stored_.clips = store_clips();
+        const animation::ClipSet& set = world_.resource<ClipStore>().clips(*stored_.clips).set;
+        for (const animation::Clip& clip : set.clips) result_.clips.push_back(clip.name);
+        Rig rig{.clips = *stored_.clips, .nodes = nodes_, .morphs = morphs_};
+        const PointerOwners owners{surfaces_, camera_entities_, light_entities_};
+        for (std::size_t clip = 0; clip < set.clips.size(); ++clip)
+            bind_pointers(set.clips[clip], static_cast<std::uint32_t>(clip), owners, rig.pointers, result_.warnings);
+        world_.add(result_.root, std::move(rig));
+    }
+
+    std::uint32_t store_clips() {
         ModelClips clips{animation::compile_clips(model_, result_.warnings), {}};
         clips.rest = animation::rest_pose(model_, clips.set.layout);
-        for (const animation::Clip& clip : clips.set.clips) result_.clips.push_back(clip.name);
-        Rig rig{.nodes = nodes_, .morphs = morphs_};
-        const PointerOwners owners{surfaces_, camera_entities_, light_entities_};
-        for (std::size_t clip = 0; clip < clips.set.clips.size(); ++clip)
-            bind_pointers(clips.set.clips[clip], static_cast<std::uint32_t>(clip), owners, rig.pointers,
-                          result_.warnings);
-        rig.clips = resource_of<ClipStore>(world_).add(std::move(clips));
-        world_.add(result_.root, std::move(rig));
+        return resource_of<ClipStore>(world_).add(std::move(clips));
     }
 
     void add_camera(Entity entity, const assets::Camera& source) {
@@ -159,7 +165,7 @@ private:
             result.joints.push_back(nodes_[static_cast<std::size_t>(joint)]);
             binding.rest.push_back(matrices_[static_cast<std::size_t>(joint)]);
         }
-        const auto [entry, fresh] = bindings_.try_emplace(index, 0);
+        const auto [entry, fresh] = stored_.bindings.try_emplace(index, 0);
         if (fresh) entry->second = store_.add(std::move(binding));
         result.binding = entry->second;
         return result;
@@ -168,7 +174,7 @@ private:
     /// Nodes share the vertices of a mesh, and those that skin it alike its weights.
     std::uint32_t store_mesh(const Node& node) {
         const std::size_t joints = node.skin < 0 ? 0 : model_.skins[static_cast<std::size_t>(node.skin)].joints.size();
-        const auto [entry, fresh] = meshes_.try_emplace({node.mesh, joints}, 0);
+        const auto [entry, fresh] = stored_.meshes.try_emplace({node.mesh, joints}, 0);
         if (!fresh) return entry->second;
         const assets::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
         const auto material = [&](std::int32_t index) { return materials_.get(index); };
@@ -182,12 +188,11 @@ private:
 
     World& world_;
     const Model& model_;
+    StoredModel& stored_;
     std::vector<glm::mat4> matrices_;
     SpawnedModel result_;
     MeshStore& store_;
     SurfaceMaterials materials_;
-    std::map<std::pair<std::int32_t, std::size_t>, std::uint32_t> meshes_; ///< by mesh and number of joints
-    std::map<std::int32_t, std::uint32_t> bindings_;                       ///< by skin
     std::vector<Entity> nodes_;                                            ///< by node
     std::vector<Entity> morphs_;                                           ///< by node
     std::vector<Entity> surfaces_;                                         ///< by node
@@ -197,6 +202,13 @@ private:
 
 } // namespace
 
-SpawnedModel spawn_model(World& world, const Model& model) { return Spawner(world, model).run(); }
+SpawnedModel spawn_model(World& world, const Model& model) {
+    StoredModel stored;
+    return spawn_model(world, model, stored);
+}
+
+SpawnedModel spawn_model(World& world, const Model& model, StoredModel& stored) {
+    return ModelSpawner(world, model, stored).run();
+}
 
 } // namespace hachure

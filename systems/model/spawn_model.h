@@ -5,7 +5,12 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hachure {
@@ -26,5 +31,17 @@ struct SpawnedModel {
 /// stand below the root with a Skin, morphing ones have MorphWeights; the root of a model with clips has a Rig, and
 /// plays them when it is given an Animation. Characters stand in their rest pose.
 SpawnedModel spawn_model(World& world, const assets::Model& model);
+
+/// What of a model is in the stores of a world, so that the model can be spawned again without being stored again.
+struct StoredModel {
+    std::map<std::pair<std::int32_t, std::size_t>, std::uint32_t> meshes; ///< by mesh and number of joints
+    std::map<std::int32_t, std::uint32_t> bindings;                       ///< by skin
+    std::optional<std::uint32_t> clips;                                   ///< index into the ClipStore
+    std::optional<std::vector<glm::vec3>> points;                         ///< as SpawnedModel::points
+};
+
+/// The same for a model that is spawned many times: what `stored` holds is used, what it lacks is stored and noted. It
+/// is for one model and one world. After the first time the model's vertices and images are not read any more.
+SpawnedModel spawn_model(World& world, const assets::Model& model, StoredModel& stored);
 
 } // namespace hachure

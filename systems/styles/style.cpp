@@ -85,4 +85,13 @@ void apply_style(World& world, const TypeRegistry& types, const Style& style) {
     for (const Entity entity : types.find("camera")->entities(world)) add_components(world, entity, style.camera);
 }
 
+void apply_style(World& world, const Style& style, Entity root) {
+    const auto apply = [&](Entity entity) {
+        if (world.has<Surface>(entity)) add_components(world, entity, style.surface);
+        if (world.has<Camera>(entity)) add_components(world, entity, style.camera);
+    };
+    apply(root);
+    world.for_each_descendant(root, apply);
+}
+
 } // namespace hachure

@@ -47,4 +47,7 @@ struct BuiltInStyle {
 /// Puts the style's components on every surface and every camera of the world.
 void apply_style(World& world, const TypeRegistry& types, const Style& style);
 
+/// The same for what stands at and below one entity.
+void apply_style(World& world, const Style& style, Entity root);
+
 } // namespace hachure

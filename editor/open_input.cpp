@@ -1,0 +1,56 @@
+#include <hachure/components/scene.h>
+#include <hachure/editor/load_model.h>
+#include <hachure/editor/open_input.h>
+#include <hachure/runtime/app/log.h>
+#include <hachure/runtime/assets/read_model.h>
+#include <hachure/runtime/error.h>
+#include <hachure/systems/camera/camera.h>
+#include <hachure/systems/light/light.h>
+#include <hachure/systems/scene/load_scene.h>
+#include <hachure/systems/scene/scene_spawner.h>
+#include <hachure/systems/styles/style.h>
+
+#include <vector>
+
+namespace hachure {
+namespace {
+
+constexpr const char* fallback_style = "gooch";
+
+void open_model(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
+    const std::string name = options.style.empty() ? fallback_style : options.style;
+    const Style style = find_style(app.types(), name);
+    load_model(app, assets::read_model(input), input, canvas, options.clip);
+    apply_style(app.world(), app.types(), style);
+    app.world().set_resource(SceneDocument{.style = name, .applied_style = name});
+    set_scene_spawner(app, input, style);
+}
+
+void open_scene(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
+    if (options.clip && !options.clip->empty())
+        throw Error(input.string(), "is a scene, which says itself what its models play: --clip is for models");
+    World& world = app.world();
+    world.set_resource(canvas);
+    LoadedScene scene = load_scene(app, input, {options.style, fallback_style});
+    for (const std::string& warning : scene.warnings) log_warning(warning);
+    check_drawable(input, scene.points);
+    if (!scene.has_camera) {
+        // Of an empty scene a camera sees the metre around the origin, where things may yet appear.
+        if (scene.points.empty()) scene.points = {glm::vec3(-0.5f), glm::vec3(0.5f)};
+        const Entity camera = spawn_framing_camera(world, scene.points, canvas);
+        apply_style(world, find_style(app.types(), world.resource<SceneDocument>().applied_style), camera);
+        world.add(camera, Unsaved{});
+    }
+    if (!scene.has_light) world.add(spawn_default_light(world), Unsaved{});
+}
+
+} // namespace
+
+void open_input(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
+    if (is_scene_name(input))
+        open_scene(app, input, canvas, options);
+    else
+        open_model(app, input, canvas, options);
+}
+
+} // namespace hachure
