@@ -108,13 +108,14 @@ private:
     void give_components(const ScenePiece& piece) {
         for (const auto& [key, value] : piece.value->items()) {
             if (is_structure(key) || (key == "name" && value.is_string())) continue; // the builder did it
-            if (const TypeInfo* type = types_.find(key)) {
+            // A part first: it may stand in the place of the component of its name.
+            if (const ScenePart* part = parts_ ? parts_->find(key) : nullptr) {
+                pending_parts_.emplace_back(&piece, part);
+            } else if (const TypeInfo* type = types_.find(key)) {
                 json unknown = json::object();
                 if (read_component(*type, value, file_of(piece), piece.pointer + "/" + key, faults_, said_, &unknown))
                     give(piece.entity, said_, piece, "/" + key);
                 if (!unknown.empty() && piece.scope == 0) extras(piece.entity).unknown.update(unknown);
-            } else if (const ScenePart* part = parts_ ? parts_->find(key) : nullptr) {
-                pending_parts_.emplace_back(&piece, part);
             } else {
                 faults_.warn(file_of(piece), piece.pointer + "/" + pointer_token(key),
                              "there is no component '" + key.substr(0, 60) + "'");

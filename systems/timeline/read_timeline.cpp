@@ -75,9 +75,11 @@ TimelineDocument read_file(const JsonValue& value, const TypeRegistry& types, co
                            std::vector<std::string>& warnings) {
     value.require_keys({"file", "repeat", "speed", "playing", "time"});
     const JsonValue name = value.at("file");
+    std::string escaped; // path rules are those of URIs
+    for (const char c : name.string()) escaped += c == '%' ? "%25" : std::string(1, c);
     std::filesystem::path file;
     try {
-        file = assets::resolve_beside(folder / "timeline", name.string());
+        file = assets::resolve_beside(folder / "timeline", escaped);
     } catch (const Error&) {
         name.fail(assets::in_quotes(name.string()) + " is no file in the folder of this one");
     }
