@@ -58,9 +58,9 @@ void TimelinePlayer::show_track(World& world, std::size_t track, TimelineCounts&
         result = writers_[track].write_numbers(world, entity, values_[track]);
     } else {
         const TimelineChoice& choice = moved.choices[static_cast<std::size_t>(values_[track].x)];
-        const bool handle = choice.target != no_timeline_target;
-        result =
-            writers_[track].write_choice(world, entity, handle ? FieldValue(targets_[choice.target]) : choice.value);
+        result = choice.target == no_timeline_target
+                     ? writers_[track].write_choice(world, entity, choice.value)
+                     : writers_[track].write_choice(world, entity, FieldValue(targets_[choice.target]));
     }
     if (result == TrackWrite::written) ++counts.written;
     if (result == TrackWrite::refused) refuse(moved.target, moved.component, warnings);
