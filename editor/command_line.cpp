@@ -3,6 +3,7 @@
 #include <hachure/editor/list_command.h>
 #include <hachure/editor/render_command.h>
 #include <hachure/editor/usage_error.h>
+#include <hachure/editor/validate_command.h>
 #include <hachure/runtime/error.h>
 
 #include <CLI/CLI.hpp>
@@ -46,9 +47,11 @@ int run_command_line(int argc, char** argv) {
     RenderOptions render;
     InfoOptions info;
     ListOptions list;
+    ValidateOptions validate;
     add_render_command(app, render);
     add_info_command(app, info);
     add_list_command(app, list);
+    add_validate_command(app, validate);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -57,6 +60,7 @@ int run_command_line(int argc, char** argv) {
     try {
         if (app.got_subcommand("render")) return run_render(render);
         if (app.got_subcommand("info")) return run_info(info);
+        if (app.got_subcommand("validate")) return run_validate(validate);
         return run_list(list);
     } catch (const UsageError& error) {
         return report(error.what(), exit_usage);

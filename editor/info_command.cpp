@@ -1,9 +1,11 @@
 #include <hachure/editor/info_command.h>
 #include <hachure/editor/model_report.h>
+#include <hachure/editor/scene_report.h>
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/assets/video_file.h>
 #include <hachure/runtime/error.h>
+#include <hachure/systems/scene/scene_file.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,11 +41,17 @@ void print_video(const std::filesystem::path& file) {
 
 void add_info_command(CLI::App& app, InfoOptions& options) {
     CLI::App* command = app.add_subcommand("info", "Tell what is in a file, and what is wrong with it");
-    command->add_option("INPUT", options.input, "a model (glTF, GLB, OBJ, PLY, OFF, STL), an image or a video")
+    command
+        ->add_option("INPUT", options.input,
+                     "a scene (.scene.json), a model (glTF, GLB, OBJ, PLY, OFF, STL), an image or a video")
         ->required();
 }
 
 int run_info(const InfoOptions& options) {
+    if (is_scene_name(options.input)) {
+        for (const ReportRow& row : report_scene(options.input)) print_row(row.name, row.value);
+        return 0;
+    }
     switch (assets::input_kind(options.input)) {
     case assets::InputKind::image:
         print_image(options.input);

@@ -4,6 +4,7 @@
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/frame_requests.h>
 #include <hachure/systems/capabilities.h>
+#include <hachure/systems/scene/scene_schema.h>
 #include <hachure/systems/styles/style.h>
 
 #include <CLI/CLI.hpp>
@@ -87,8 +88,11 @@ void list_systems(App& app) {
 } // namespace
 
 void add_list_command(CLI::App& app, ListOptions& options) {
-    CLI::App* command = app.add_subcommand("list", "List the styles, components, AOVs or systems that there are");
-    command->add_option("KIND", options.what, "styles, components, aovs or systems")->required();
+    CLI::App* command = app.add_subcommand(
+        "list", "List the styles, components, AOVs or systems that there are, or the schema of scene files");
+    command
+        ->add_option("KIND", options.what, "styles, components, aovs, systems or schema (JSON schema of scene files)")
+        ->required();
     command->add_flag("--markdown", options.markdown,
                       "Print the reference page of the components (docs/components.md)");
 }
@@ -108,8 +112,10 @@ int run_list(const ListOptions& options) {
         list_aovs(app);
     else if (options.what == "systems")
         list_systems(app);
+    else if (options.what == "schema")
+        print(scene_schema(app.world(), app.types()).dump(2) + "\n");
     else
-        throw UsageError("list: '" + options.what + "' is none of styles, components, aovs, systems");
+        throw UsageError("list: '" + options.what + "' is none of styles, components, aovs, systems, schema");
     return 0;
 }
 

@@ -10,7 +10,7 @@ namespace hachure {
 
 /// `hachure list`, as the user typed it.
 struct ListOptions {
-    std::string what;      ///< styles, components, aovs or systems
+    std::string what;      ///< styles, components, aovs, systems or schema
     bool markdown = false; ///< the reference page, for components alone
 };
 

@@ -107,7 +107,7 @@ private:
     std::optional<Entity> make_reference(const Pending& piece, bool is_scene) {
         const std::string key = is_scene ? "scene" : "model";
         const json& said = piece.value->at(key);
-        if (!said.is_string() || said.get_ref<const std::string&>().empty()) {
+        if (!said.is_string() || said == "" || said.get_ref<const std::string&>().find('\0') != std::string::npos) {
             fault(piece, "/" + key, "a " + key + " is the path of a file");
             return {};
         }

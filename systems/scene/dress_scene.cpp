@@ -131,18 +131,20 @@ private:
             return faults_.fault(file_of(piece), piece.pointer + "/overrides",
                                  "overrides are an object, by paths of names below an entity with a model or a scene");
         const NamesBelow names(world_, piece.entity);
-        for (const auto& [path, components] : overrides->items()) {
-            const std::string place = "/overrides/" + pointer_token(path);
-            const Entity part = names.find(world_, path);
-            if (!part) {
-                faults_.fault(file_of(piece), piece.pointer + place,
-                              "nothing below the entity is called '" + path.substr(0, 60) + "'");
-                continue;
-            }
-            for (const SaidComponent& said :
-                 read_components(types_, components, file_of(piece), piece.pointer + place, faults_))
-                give(part, said, piece, place + "/" + said.type->name);
-        }
+        std::vector<Entity> parts; // all before any is changed: an override may rename
+        for (const auto& [path, components] : overrides->items()) parts.push_back(names.find(world_, path));
+        auto part = parts.begin();
+        for (const auto& [path, components] : overrides->items()) override_part(piece, path, components, *part++);
+    }
+
+    void override_part(const ScenePiece& piece, const std::string& path, const json& components, Entity part) {
+        const std::string place = "/overrides/" + pointer_token(path);
+        if (!part)
+            return faults_.fault(file_of(piece), piece.pointer + place,
+                                 "nothing below the entity is called '" + path.substr(0, 60) + "'");
+        for (const SaidComponent& said :
+             read_components(types_, components, file_of(piece), piece.pointer + place, faults_))
+            give(part, said, piece, place + "/" + said.type->name);
     }
 
     void give(Entity entity, const SaidComponent& said, const ScenePiece& piece, const std::string& place) {

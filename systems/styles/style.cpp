@@ -1,5 +1,6 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/surface.h>
+#include <hachure/runtime/assets/json_text.h>
 #include <hachure/runtime/assets/text_file.h>
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
@@ -8,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace hachure {
 namespace {
@@ -16,24 +19,79 @@ using nlohmann::json;
 
 constexpr std::size_t max_style_bytes = std::size_t{1} << 20;
 
-StyleComponent parse_component(const TypeRegistry& types, std::string_view subject, const std::string& name,
-                               const json& fields, const std::string& pointer) {
-    const TypeInfo* type = types.find(name);
-    if (!type) throw Error(subject, "there is no component '" + name + "'", pointer);
-    return {type, fields_from_json(*type, fields, {subject, pointer})};
-}
+/// Hands every fault of a style on, with its place; what it is handed to may throw.
+class StyleReader {
+public:
+    using Report = std::function<void(const Error&)>;
 
-std::vector<StyleComponent> parse_components(const TypeRegistry& types, std::string_view subject, const json& style,
-                                             const char* kind) {
-    std::vector<StyleComponent> result;
-    const std::string pointer = std::string("/") + kind;
-    const auto found = style.find(kind);
-    if (found == style.end()) return result;
-    if (!found->is_object()) throw Error(subject, "the components of a style are an object", pointer);
-    for (const auto& [name, fields] : found->items())
-        result.push_back(parse_component(types, subject, name, fields, pointer + "/" + name));
-    return result;
-}
+    StyleReader(const TypeRegistry& types, const assets::JsonText& text, Report report)
+        : types_(types), text_(text), report_(std::move(report)) {}
+
+    Style read() {
+        const json& document = text_.root();
+        Style style;
+        if (!document.is_object() || !document.contains("hachure_style")) {
+            report_(Error(text_.subject(), "is not a style: it lacks \"hachure_style\""));
+            return style;
+        }
+        if (document["hachure_style"] != 1) fault("/hachure_style", "has a version that is not known");
+        for (const auto& [key, value] : document.items())
+            if (key != "hachure_style" && key != "name" && key != "doc" && key != "surface" && key != "camera")
+                fault("/" + key, "a style has no '" + key + "'");
+        style.name = document.value("name", json("")).is_string() ? document.value("name", "") : "";
+        style.doc = document.value("doc", json("")).is_string() ? document.value("doc", "") : "";
+        style.surface = components(document, "surface");
+        style.camera = components(document, "camera");
+        return style;
+    }
+
+private:
+    void fault(const std::string& pointer, const std::string& text) {
+        report_(Error(text_.subject(), text, text_.where(pointer)));
+    }
+
+    std::vector<StyleComponent> components(const json& style, const char* kind) {
+        std::vector<StyleComponent> result;
+        const std::string pointer = std::string("/") + kind;
+        const auto found = style.find(kind);
+        if (found == style.end()) return result;
+        if (!found->is_object()) {
+            fault(pointer, "the components of a style are an object");
+            return result;
+        }
+        for (const auto& [name, fields] : found->items()) {
+            const TypeInfo* type = types_.find(name);
+            if (!type)
+                fault(pointer + "/" + name, "there is no component '" + name.substr(0, 60) + "'");
+            else
+                result.push_back({type, fields_of(*type, fields, pointer + "/" + name)});
+        }
+        return result;
+    }
+
+    /// One field at a time, so that the fault of one does not hide that of another.
+    FieldValues fields_of(const TypeInfo& type, const json& fields, const std::string& pointer) {
+        FieldValues result;
+        const JsonPlace place{text_.subject(), pointer, [this](std::string_view at) { return text_.where(at); }};
+        const auto read_some = [&](const json& some) {
+            try {
+                const FieldValues read = fields_from_json(type, some, place);
+                result.insert(result.end(), read.begin(), read.end());
+            } catch (const Error& error) {
+                report_(error);
+            }
+        };
+        if (!fields.is_object())
+            read_some(fields);
+        else
+            for (const auto& [name, value] : fields.items()) read_some({{name, value}});
+        return result;
+    }
+
+    const TypeRegistry& types_;
+    const assets::JsonText& text_;
+    Report report_;
+};
 
 void add_components(World& world, Entity entity, std::span<const StyleComponent> components) {
     for (const StyleComponent& component : components) {
@@ -51,24 +109,15 @@ std::string known_names() {
 } // namespace
 
 Style parse_style(const TypeRegistry& types, std::string_view subject, std::string_view text) {
-    json document;
-    try {
-        document = json::parse(text);
-    } catch (const json::parse_error& error) {
-        throw Error(subject, "is not JSON", "byte " + std::to_string(error.byte));
-    }
-    if (!document.is_object() || !document.contains("hachure_style"))
-        throw Error(subject, "is not a style: it lacks \"hachure_style\"");
-    if (document["hachure_style"] != 1) throw Error(subject, "has a version that is not known", "/hachure_style");
-    for (const auto& [key, value] : document.items())
-        if (key != "hachure_style" && key != "name" && key != "doc" && key != "surface" && key != "camera")
-            throw Error(subject, "a style has no '" + key + "'", "/" + key);
-    Style style;
-    style.name = document.value("name", json("")).is_string() ? document.value("name", "") : "";
-    style.doc = document.value("doc", json("")).is_string() ? document.value("doc", "") : "";
-    style.surface = parse_components(types, subject, document, "surface");
-    style.camera = parse_components(types, subject, document, "camera");
-    return style;
+    const auto document = assets::JsonText::parse(std::string(subject), std::string(text));
+    return StyleReader(types, document, [](const Error& error) { throw Error(error); }).read();
+}
+
+std::vector<std::string> style_faults(const TypeRegistry& types, const assets::JsonText& document) {
+    std::vector<std::string> result;
+    static_cast<void>(
+        StyleReader(types, document, [&](const Error& error) { result.emplace_back(error.what()); }).read());
+    return result;
 }
 
 Style find_style(const TypeRegistry& types, std::string_view name_or_path) {

@@ -10,6 +10,10 @@
 
 namespace hachure {
 
+namespace assets {
+class JsonText;
+}
+
 /// Components, with field values, that a style puts on the entities of one kind.
 struct StyleComponent {
     const TypeInfo* type; ///< of the registry that the style was read with
@@ -38,8 +42,11 @@ struct BuiltInStyle {
 [[nodiscard]] std::span<const BuiltInStyle> built_in_styles();
 
 /// Reads a style; `subject` names it in errors. Throws Error for JSON that is broken, and for unknown components,
-/// fields and values out of range, with their JSON pointer.
+/// fields and values out of range, with line and column.
 [[nodiscard]] Style parse_style(const TypeRegistry& types, std::string_view subject, std::string_view json);
+
+/// All that is wrong with a style document, one line each, with its place.
+[[nodiscard]] std::vector<std::string> style_faults(const TypeRegistry& types, const assets::JsonText& document);
 
 /// A built-in style by its name, else the preset file of that path. Throws Error when there is neither.
 [[nodiscard]] Style find_style(const TypeRegistry& types, std::string_view name_or_path);

@@ -73,8 +73,8 @@ TEST_F(StyleTest, ErrorsNameTheFileAndThePlaceInIt) {
         {R"({"hachure_style": 2})", "/hachure_style"},
         {R"({"name": "mine"})", "hachure_style"},
         {R"([1])", "hachure_style"},
-        {R"({"hachure_style": 1,)", "byte"},
-        {"", "byte"}};
+        {R"({"hachure_style": 1,)", "(line 1, column "},
+        {"", "(line 1, column "}};
     for (const auto& [json, place] : cases) {
         const std::string fault = fault_of(json);
         EXPECT_THAT(fault, ::testing::StartsWith("mine.json: ")) << json;
