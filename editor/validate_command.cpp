@@ -72,7 +72,7 @@ std::vector<Checker> checkers() {
 
 void add_validate_command(CLI::App& app, ValidateOptions& options) {
     CLI::App* command = app.add_subcommand("validate", "Tell all that is wrong with scenes, styles and models");
-    command->add_option("FILE", options.files, "a scene (.scene.json), a style (.json) or a model")->required();
+    command->add_option("FILE", options.files, "a scene (.scene.json), a playback test (.play.json), a style (.json) or a model")->required();
 }
 
 int run_validate(const ValidateOptions& options) {

@@ -20,7 +20,7 @@ void register_script(App& app) {
                    [engine = std::make_shared<script::ScriptEngine>(app.types())](World& world) {
                        engine->run(world, world.resource<Time>());
                    })
-        .after("timeline.play");
+        .after("timeline");
 }
 
 } // namespace hachure

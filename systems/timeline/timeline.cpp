@@ -109,7 +109,7 @@ void register_timeline(App& app) {
     // Scripts see what timelines did in the same frame, and have the last word.
     app.add_system(Stage::script, "timeline",
                    [system = std::make_shared<TimelineSystem>(app.types())](World& all) { system->run(all); })
-        .before("script");
+        .before("script.run");
 }
 
 } // namespace hachure

@@ -8,12 +8,14 @@
 #include <hachure/runtime/error.h>
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/scene/load_scene.h>
+#include <hachure/systems/scene/save_scene.h>
 #include <hachure/systems/scene/scene.h>
 #include <hachure/systems/timeline/timeline.h>
 #include <hachure/systems/transform/transform.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -62,6 +64,20 @@ TEST_F(TimelineSceneFileTest, MovesSpawnsAndCopies) {
     app.run_frame(1.0);
     EXPECT_EQ(place("Ship/Second").translation, glm::vec3(1, 2, 3));
     EXPECT_TRUE(find("Ship/Second/Bell"));
+}
+
+TEST_F(TimelineSceneFileTest, SavingWritesWhatWasRead) {
+    const std::string timeline =
+        R"({"speed": 2, "tracks": [{"target": "Ship/transform.scale.x", "keys": [[0, 1], [4, 2]]}]})";
+    load(R"({"hachure_scene": 1, "entities": [{"name": "Ship", "timeline": )" + timeline + "}]}");
+    const auto saved = [&] {
+        return nlohmann::json::parse(save_scene(app.world(), app.types(), folder))["entities"][0]["timeline"];
+    };
+    nlohmann::json wanted = nlohmann::json::parse(timeline);
+    EXPECT_EQ(saved(), wanted);
+    app.run_frame(0.5);
+    wanted["time"] = 1.0;
+    EXPECT_EQ(saved(), wanted) << "and how far it has come";
 }
 
 TEST_F(TimelineSceneFileTest, FaultsNameFileLineAndColumn) {
