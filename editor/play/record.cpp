@@ -161,6 +161,7 @@ int record(const std::filesystem::path& test, const std::filesystem::path& recor
     }
     write_recording(recording, recorded);
     std::printf("%s: %lld frames recorded\n", recording.c_str(), static_cast<long long>(scene.next_frame()));
+    std::fflush(stdout); // a signal that closed the window ends the program when it is no longer watched
     return 0;
 }
 

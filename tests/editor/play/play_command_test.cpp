@@ -54,9 +54,9 @@ TEST(PlayCommand, ATestThatHangsIsStopped) {
     const TempFolder folder;
     folder.write("a.play.json", long_test().dump());
     folder.write("b.play.json", count_test(4).dump());
-    const ProcessResult result = hachure_program(folder, {"play", ".", "--limit", "1.5", "--jobs", "2"});
+    const ProcessResult result = hachure_program(folder, {"play", ".", "--limit", "3", "--jobs", "2"});
     EXPECT_EQ(result.exit_code, 1);
-    EXPECT_TRUE(says(result, "it had not ended after 1.5 s and was stopped")) << result.out;
+    EXPECT_TRUE(says(result, "it had not ended after 3 s and was stopped")) << result.out;
     EXPECT_TRUE(says(result, "ok     ./b.play.json"));
 }
 

@@ -49,7 +49,7 @@ TEST(Record, WritesARecordingThatReplays) {
     nlohmann::json test = still_test({{"frame", 0}, {"count", "surface"}, {"is", 4}});
     folder.write("t.play.json", test.dump());
     const ProcessResult result = run_process(
-        {"/usr/bin/timeout", "-s", "INT", "2", HACHURE_PROGRAM, "play", "t.play.json", "--record", "r.input.json"},
+        {"/usr/bin/timeout", "-s", "INT", "4", HACHURE_PROGRAM, "play", "t.play.json", "--record", "r.input.json"},
         folder.path());
     EXPECT_NE(result.out.find("frames recorded"), std::string::npos) << result.out << result.err;
     test["recording"] = "r.input.json";
