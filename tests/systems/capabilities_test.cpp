@@ -10,6 +10,7 @@
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
+#include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/systems/velocity/velocity.h>
@@ -61,7 +62,7 @@ constexpr Capability capabilities[] = {
     {"transform", register_transform}, {"camera", register_camera},       {"light", register_light},
     {"surface", register_surface},     {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
     {"compose", register_compose},     {"animation", register_animation}, {"deform", register_deform},
-    {"velocity", register_velocity},   {"curvature", register_curvature},
+    {"velocity", register_velocity},   {"curvature", register_curvature}, {"script", register_script},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -90,12 +91,14 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
                                                           "edge_lines.pass", "velocity.pass", "compose.passes"));
 }
 
-/// What draws talks to OpenGL, whose context belongs to one thread; the rest says what it touches.
-TEST(CapabilitiesTest, OnlyRenderSystemsTakeTheWholeWorld) {
+/// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest
+/// says what it touches.
+TEST(CapabilitiesTest, OnlyScriptsAndRenderSystemsTakeTheWholeWorld) {
     App app;
     register_capabilities(app);
     for (const SystemInfo& system : app.schedule().systems()) {
-        EXPECT_EQ(system.access.exclusive, system.stage == Stage::render) << system.name;
+        EXPECT_EQ(system.access.exclusive, system.stage == Stage::render || system.stage == Stage::script)
+            << system.name;
         EXPECT_FALSE(system.access.reads_world) << system.name;
     }
 }
