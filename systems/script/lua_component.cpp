@@ -13,9 +13,14 @@ namespace {
 constexpr std::int64_t steps_of_a_structural_change = 50;
 
 /// The component itself, to read; raises an error when it is gone.
-const void* component_of(lua_State* state, const ComponentBox& box) {
-    const World& world = *context_of(state).world;
-    if (const void* const component = box.key->type->find(world, box.entity)) return component;
+const void* component_of(lua_State* state, ComponentBox& box) {
+    const Context& context = context_of(state);
+    if (box.structure == context.structure) return box.component;
+    const World& world = *context.world;
+    if (const void* const component = box.key->type->find(world, box.entity)) {
+        box.structure = context.structure;
+        return box.component = component;
+    }
     luaL_error(state, world.alive(box.entity) ? "the entity has no %s any more" : "the entity of this %s is not alive",
                box.key->type->name.c_str());
     return nullptr;
@@ -29,7 +34,7 @@ const FieldKey& check_field(lua_State* state, const ComponentKey& key, int index
 }
 
 int get_field(lua_State* state) {
-    const auto& box = *static_cast<const ComponentBox*>(lua_touserdata(state, 1));
+    auto& box = *static_cast<ComponentBox*>(lua_touserdata(state, 1));
     const void* const component = component_of(state, box);
     push_field(state, check_field(state, *box.key, 2), component);
     return 1;
@@ -44,7 +49,7 @@ void assign(World& world, const ComponentBox& box, const FieldInfo& field, const
 }
 
 int set_field(lua_State* state) {
-    const auto& box = *static_cast<const ComponentBox*>(lua_touserdata(state, 1));
+    auto& box = *static_cast<ComponentBox*>(lua_touserdata(state, 1));
     component_of(state, box);
     assign(*context_of(state).world, box, *check_field(state, *box.key, 2).info, given_at(state, 3));
     return 0;
@@ -93,6 +98,7 @@ int add_component(lua_State* state) {
     collect_values(state, key);
     // One that is there already keeps the fields that are not named.
     const bool is_new = type.find(*context.world, entity) == nullptr;
+    ++context.structure;
     if (is_new) type.add_default(*context.world, entity);
     for (std::size_t i = 0; i < key.fields.size(); ++i) {
         const FieldInfo& info = *key.fields[i].info;
@@ -114,7 +120,7 @@ void push_component(lua_State* state, int index, const ComponentKey& key) {
             return;
         }
     auto* const box = static_cast<ComponentBox*>(lua_newuserdatauv(state, sizeof(ComponentBox), 0));
-    *box = {BoxKind::component, entity.entity, &key};
+    *box = {BoxKind::component, entity.entity, &key, nullptr, 0};
     lua_rawgeti(state, LUA_REGISTRYINDEX, context_of(state).component_methods);
     lua_setmetatable(state, -2);
     lua_pushvalue(state, -1);

@@ -16,6 +16,12 @@ constexpr std::int64_t steps_of_a_structural_change = 50;
 /// What stands behind the dot besides components; the numbers are keys of ComponentKeys.
 enum Member { name, parent, children, first_method };
 
+/// Before the structure changes.
+void begin_change(lua_State* state) {
+    context_of(state).machine->charge(state, steps_of_a_structural_change);
+    ++context_of(state).structure;
+}
+
 int alive(lua_State* state) {
     const EntityBox* const box = entity_at(state, 1);
     if (!box) return luaL_argerror(state, 1, "an entity is needed");
@@ -27,7 +33,7 @@ int alive(lua_State* state) {
 int destroy(lua_State* state) {
     const EntityBox* const box = entity_at(state, 1);
     if (!box) return luaL_argerror(state, 1, "an entity is needed");
-    context_of(state).machine->charge(state, steps_of_a_structural_change);
+    begin_change(state);
     lua_pushboolean(state, context_of(state).world->destroy(box->entity));
     return 1;
 }
@@ -41,7 +47,7 @@ int has(lua_State* state) {
 int remove(lua_State* state) {
     const Entity entity = check_alive(state, 1);
     const ComponentKey& key = check_component(state, 2);
-    context_of(state).machine->charge(state, steps_of_a_structural_change);
+    begin_change(state);
     lua_pushboolean(state, key.type->remove(*context_of(state).world, entity));
     return 1;
 }
@@ -102,7 +108,7 @@ void rename(World& world, Entity entity, std::string_view text) {
 
 int set_parent(lua_State* state, Entity entity) {
     World& world = *context_of(state).world;
-    context_of(state).machine->charge(state, steps_of_a_structural_change);
+    begin_change(state);
     if (lua_type(state, 3) == LUA_TNIL)
         world.clear_parent(entity);
     else
@@ -119,6 +125,7 @@ int set_member(lua_State* state) {
                           luaL_tolstring(state, 2, nullptr));
     std::size_t length = 0;
     const char* const text = luaL_checklstring(state, 3, &length);
+    begin_change(state);
     rename(*context_of(state).world, entity, {text, length});
     return 0;
 }
@@ -140,6 +147,22 @@ int to_text(lua_State* state) {
         lua_pushfstring(state, "entity %dv%d", static_cast<int>(box->entity.index),
                         static_cast<int>(box->entity.generation));
     return 1;
+}
+
+bool is_short_of_memory(const Context& context) {
+    return !context.forgetful && context.machine->memory() > context.machine->limits().memory / 2;
+}
+
+void set_forgetful(lua_State* state, bool forgetful) {
+    Context& context = context_of(state);
+    lua_rawgeti(state, LUA_REGISTRYINDEX, context.entity_cache);
+    if (forgetful)
+        lua_rawgeti(state, LUA_REGISTRYINDEX, context.weak_table);
+    else
+        lua_pushnil(state);
+    lua_setmetatable(state, -2);
+    lua_pop(state, 1);
+    context.forgetful = forgetful;
 }
 
 constexpr NamedFunction functions[] = {
@@ -169,12 +192,21 @@ void push_entity(lua_State* state, Entity entity) {
         return;
     }
     lua_pop(state, 1);
+    if (is_short_of_memory(context)) set_forgetful(state, true);
     new (lua_newuserdatauv(state, sizeof(EntityBox), kept_components)) EntityBox{.entity = entity};
     lua_rawgeti(state, LUA_REGISTRYINDEX, context.entity_methods);
     lua_setmetatable(state, -2);
     lua_pushvalue(state, -1);
     lua_rawseti(state, -3, slot);
     lua_remove(state, -2);
+}
+
+void trim_entities(lua_State* state) {
+    const Context& context = context_of(state);
+    if (context.forgetful && context.machine->memory() < context.machine->limits().memory / 4)
+        set_forgetful(state, false);
+    else if (is_short_of_memory(context))
+        set_forgetful(state, true);
 }
 
 void open_entities(lua_State* state) {
@@ -194,11 +226,11 @@ void open_entities(lua_State* state) {
     lua_setfield(state, -2, "__index");
     context.entity_methods = luaL_ref(state, LUA_REGISTRYINDEX);
 
-    lua_newtable(state); // the cache holds on to nothing
     lua_newtable(state);
     lua_pushliteral(state, "v");
     lua_setfield(state, -2, "__mode");
-    lua_setmetatable(state, -2);
+    context.weak_table = luaL_ref(state, LUA_REGISTRYINDEX);
+    lua_newtable(state);
     context.entity_cache = luaL_ref(state, LUA_REGISTRYINDEX);
 }
 

@@ -4,6 +4,8 @@
 #include <hachure/systems/script/component_keys.h>
 #include <hachure/systems/script/lua_binding.h>
 
+#include <cstdint>
+
 struct lua_State;
 
 namespace hachure::script {
@@ -24,6 +26,8 @@ struct ComponentBox {
     BoxKind kind = BoxKind::component;
     Entity entity;
     const ComponentKey* key = nullptr;
+    const void* component = nullptr; ///< where it is, while `structure` is that of the context
+    std::uint64_t structure = 0;
 };
 
 /// Pushes the entity; nil for null. The same entity is the same value.
@@ -40,6 +44,10 @@ void push_entity(lua_State* state, Entity entity);
 
 /// Pushes the component `key` of the entity at `index`.
 void push_component(lua_State* state, int index, const ComponentKey& key);
+
+/// Lets entities be forgotten that no script holds when memory gets short, and keeps them otherwise: making them anew
+/// in each frame takes longer than all else. Call it in each frame.
+void trim_entities(lua_State* state);
 
 /// Makes the type of components known.
 void open_components(lua_State* state);

@@ -18,6 +18,7 @@ struct QueryBox {
     std::uint32_t count = 0;
     std::uint32_t next = 0;
     int key_count = 0;
+    std::uint64_t structure = 0; ///< in which all of them have all components
     const ComponentKey* keys[most_components] = {};
 
     Entity* entities() { return reinterpret_cast<Entity*>(this + 1); }
@@ -45,10 +46,10 @@ void collect(const World& world, const QueryBox& query, std::vector<Entity>& ent
 /// The next entity and its components; those that died or lost one since the walk began are left out.
 int next_entity(lua_State* state) {
     auto& query = *static_cast<QueryBox*>(lua_touserdata(state, lua_upvalueindex(1)));
-    const World& world = *context_of(state).world;
+    const Context& context = context_of(state);
     while (query.next < query.count) {
         const Entity entity = query.entities()[query.next++];
-        if (!has_all(query, world, entity)) continue;
+        if (query.structure != context.structure && !has_all(query, *context.world, entity)) continue;
         push_entity(state, entity);
         const int at = lua_gettop(state);
         for (int i = 0; i < query.key_count; ++i) push_component(state, at, *query.keys[i]);
@@ -66,6 +67,7 @@ int begin_query(lua_State* state) {
     for (int i = 0; i < query.key_count; ++i) query.keys[i] = &check_component(state, i + 1);
     collect(*context.world, query, context.entities);
     query.count = static_cast<std::uint32_t>(context.entities.size());
+    query.structure = context.structure;
     context.machine->charge(state, query.count / 4);
     void* const box = lua_newuserdatauv(state, sizeof(QueryBox) + query.count * sizeof(Entity), 0);
     std::memcpy(box, &query, sizeof query);

@@ -71,6 +71,7 @@ int spawn(lua_State* state) {
         if (option(state, "parent") != LUA_TNIL) parent = check_alive(state, -1);
     }
     context.machine->charge(state, steps_of_spawning);
+    ++context.structure;
     push_entity(state, spawn_entity(*context.world, what, name, parent));
     return 1;
 }

@@ -19,6 +19,10 @@ struct Context {
 
     const TypeRegistry* types;
     World* world = nullptr; ///< set while scripts run
+
+    /// Another number in each frame, and after each structural change: pointers to components hold as long as it does.
+    std::uint64_t structure = 1;
+
     NameIndex names;
 
     // Of the script whose turn it is.
@@ -38,7 +42,9 @@ struct Context {
 
     // What is anchored in Lua's registry.
     int globals = 0;        ///< what all scripts see
-    int entity_cache = 0;   ///< by slot + 1, weak
+    int entity_cache = 0;   ///< by slot + 1
+    int weak_table = 0;     ///< the metatable that lets it forget
+    bool forgetful = false; ///< the cache has that metatable
     int entity_methods = 0; ///< metatables
     int component_methods = 0;
     int vector_methods[4] = {}; ///< vec2, vec3, vec4, quat

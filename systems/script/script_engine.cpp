@@ -5,6 +5,7 @@
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/scene_seed.h>
 #include <hachure/systems/script/lua_binding.h>
+#include <hachure/systems/script/lua_entity.h>
 #include <hachure/systems/script/sandbox.h>
 #include <hachure/systems/script/script_engine.h>
 #include <hachure/systems/script/script_random.h>
@@ -43,9 +44,10 @@ int open_state(lua_State* state) {
     return 0;
 }
 
-int update_keys(lua_State* state) {
+int begin_frame(lua_State* state) {
     Context& context = context_of(state);
     context.keys.update(state, *context.types);
+    trim_entities(state);
     return 0;
 }
 
@@ -70,9 +72,10 @@ void ScriptEngine::run(World& world, const Time& time) {
     const ScriptLimits* const limits = world.find_resource<ScriptLimits>();
     machine_->begin_frame(limits ? *limits : ScriptLimits());
     machine_->begin_turn("scripts");
-    if (const auto fault = machine_->protect(bound<update_keys>, nullptr)) throw Error("scripts", fault->message);
+    if (const auto fault = machine_->protect(bound<begin_frame>, nullptr)) throw Error("scripts", fault->message);
     forget_gone(world);
     context_.world = &world;
+    ++context_.structure;
     context_.seconds = time.elapsed;
     context_.frame = time.frame;
     Turn turn;

@@ -10,6 +10,7 @@
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
+#include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
 #include <hachure/systems/transform/transform.h>
@@ -63,6 +64,7 @@ constexpr Capability capabilities[] = {
     {"surface", register_surface},     {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
     {"compose", register_compose},     {"animation", register_animation}, {"deform", register_deform},
     {"velocity", register_velocity},   {"curvature", register_curvature}, {"timeline", register_timeline},
+    {"script", register_script},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -91,9 +93,9 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
                                                           "edge_lines.pass", "velocity.pass", "compose.passes"));
 }
 
-/// What draws talks to OpenGL, whose context belongs to one thread; what a scene's author says may touch anything; the
-/// rest says what it touches.
-TEST(CapabilitiesTest, OnlyRenderSystemsAndScriptsTakeTheWholeWorld) {
+/// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest
+/// says what it touches.
+TEST(CapabilitiesTest, OnlyScriptsAndRenderSystemsTakeTheWholeWorld) {
     App app;
     register_capabilities(app);
     for (const SystemInfo& system : app.schedule().systems()) {

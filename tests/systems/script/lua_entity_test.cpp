@@ -135,6 +135,28 @@ TEST_F(ScriptTest, TheDeadAreRecognised) {
     static_cast<void>(fox);
 }
 
+/// The hot path: no garbage.
+TEST_F(ScriptTest, ReachingNumbersAllocatesNothing) {
+    EXPECT_EQ(answer(R"(
+        self:add('gooch')
+        local function work()
+            for i = 1, 1000 do
+                self.gooch.b = self.gooch.y * 0.5
+                self.probe.count = self.probe.count + 1
+                self.probe.yes = not self.probe.yes
+                self.probe.mood = self.probe.mood == 'calm' and 'cross' or 'calm'
+                self.probe.target = self.probe.target == nil and self or nil
+            end
+        end
+        work()
+        collectgarbage()
+        local before = collectgarbage('count')
+        work()
+        assert(collectgarbage('count') == before, collectgarbage('count') - before)
+        self.probe.text = 'none')"),
+              "none");
+}
+
 TEST_F(ScriptTest, AnEntityIsTheSameValueAndAKey) {
     EXPECT_EQ(answer(R"(
         local set = {}

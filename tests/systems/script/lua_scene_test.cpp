@@ -59,6 +59,46 @@ TEST_F(ScriptTest, AWalkThatEndedGivesNothingMore) {
         "done");
 }
 
+/// More entities than fit in the memory of scripts at once: those that no script holds are forgotten.
+TEST_F(ScriptTest, AWalkMayBeLongerThanMemoryIsLarge) {
+    world().create_many(40'000, Gooch{});
+    ScriptLimits limits;
+    limits.memory = std::size_t{4} << 20;
+    world().set_resource(limits);
+    const Entity fox = add(R"(function update()
+        first = first or scene.query('gooch')()
+        local n = 0
+        for e, g in scene.query('gooch') do n = n + 1; if e == first then assert(rawequal(e, first)) end end
+        self.probe.count = self.probe.count + n
+    end)");
+    for (int i = 0; i < 3; ++i) app.run_frame(0);
+    EXPECT_TRUE(errors().empty()) << errors()[0].message;
+    EXPECT_EQ(probe(fox).count, 120'000);
+}
+
+TEST_F(ScriptTest, FieldsAreThoseOfTheEntityWhereverItMoved) {
+    const Entity other = world().create_with(Name{"Other"}, Gooch{});
+    const Entity fox = add(R"(
+        local g = scene.find('Other').gooch
+        function update()
+            g.b = 0.125
+            scene.find('Other'):add('transform')
+            self.name = 'x'
+            local before = g.b
+            g.b = 0.25
+            scene.find('Other'):remove('transform')
+            self.probe.two = vec2(before, g.b)
+        end)");
+    for (int i = 0; i < 2; ++i) {
+        app.run_frame(0);
+        EXPECT_EQ(probe(fox).two, glm::vec2(0.125, 0.25));
+        EXPECT_EQ(world().get<Gooch>(other).b, 0.25f);
+        world().create_with(Name{"Between"}, Gooch{}); // moves what stands beside it
+        world().add(other, Probe{});
+    }
+    EXPECT_TRUE(errors().empty());
+}
+
 TEST_F(ScriptTest, WrongQueriesSayWhy) {
     EXPECT_EQ(answer("scene.query()"), "fox.lua:1: scene.query takes the names of 1 to 8 components");
     EXPECT_EQ(answer("scene.query('gooch', 'gouache')"), "fox.lua:1: there is no component gouache");
