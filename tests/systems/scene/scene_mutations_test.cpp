@@ -7,8 +7,9 @@
 namespace hachure::test {
 namespace {
 
+/// Everything that a scene can say, with room where a changed byte changes nothing.
 constexpr const char* whole = R"({
-  "hachure_scene": 1, "doc": "all there is", "style": "gooch", "zork": 1,
+  "hachure_scene": 1, "doc": "all there is, in one scene, which has a long line of words that say what it shows, as docs do", "style": "gooch", "zork": 1,
   "looks": {"l": {"gooch": {"b": 0.3}, "edge_lines": null}},
   "entities": [
     {"name": "Ship", "transform": {"translation": [1.5, 0, -2], "rotation": [0, 0.6, 0, 0.8], "scale": [1, 2, 3]},
@@ -44,9 +45,20 @@ void repeat(std::string& text, Random& random) {
 }
 
 void change_number(std::string& text, Random& random) {
-    constexpr const char* numbers[] = {
-        "1e308", "-1e308",     "1e-400", "99999999999999999999999", "-9223372036854775808", "0.1e39", "-0.0",
-        "NaN",   "4294967296", "1e400"};
+    constexpr const char* numbers[] = {"1e308",
+                                       "-1e308",
+                                       "1e-400",
+                                       "99999999999999999999999",
+                                       "-9223372036854775808",
+                                       "0.1e39",
+                                       "1",
+                                       "0.5",
+                                       "0",
+                                       "3",
+                                       "-0.0",
+                                       "NaN",
+                                       "4294967296",
+                                       "1e400"};
     const std::size_t digit = text.find_first_of("0123456789", below(random, text.size()));
     if (digit != std::string::npos) text.replace(digit, 1, numbers[below(random, std::size(numbers))]);
 }
@@ -78,7 +90,7 @@ std::string mutated(std::uint64_t seed) {
     std::string text = below(random, 5) == 0 ? draft : whole;
     constexpr void (*mutations[])(std::string&, Random&) = {flip_bytes,    cut,          lose,      repeat,
                                                             change_number, change_value, swap_words};
-    for (std::size_t n = 1 + below(random, 4); n > 0 && !text.empty(); --n)
+    for (std::size_t n = 1 + below(random, 3); n > 0 && !text.empty(); --n)
         mutations[below(random, std::size(mutations))](text, random);
     return text;
 }
@@ -111,8 +123,8 @@ TEST_F(SceneTest, WhateverAFileHoldsItIsASceneOrAnError) {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
         ASSERT_LT(seconds.count(), 5.0) << "seed " << seed;
     }
-    EXPECT_GT(scenes, count / 50) << "mutations that nothing survives show little";
-    EXPECT_GT(errors, count / 4);
+    EXPECT_GE(scenes, count / 20) << "mutations that nothing survives show little";
+    EXPECT_GE(errors, count / 4);
 }
 
 TEST_F(SceneTest, InspectionOfWhateverAFileHoldsEnds) {
