@@ -7,6 +7,7 @@
 #include <hachure/runtime/assets/extension.h>
 #include <hachure/runtime/scene/scene_seed.h>
 #include <hachure/systems/capabilities.h>
+#include <hachure/systems/scene/scene_file.h>
 
 namespace hachure::play {
 namespace {
