@@ -46,11 +46,12 @@ protected:
 };
 
 TEST_F(OpenInput, ModelsAndScenesGetACameraALightAndAStyle) {
-    for (World* world : {&open("a.obj"), &open_scene(R"({"model": "a.obj"})")}) {
-        EXPECT_EQ(only<Gooch>(*world).b, Gooch{}.b);
-        EXPECT_EQ(only<Camera>(*world).active, true);
-        EXPECT_EQ(world->query<const Light>().count(), 1u);
-        EXPECT_EQ(only<Compose>(*world).background, glm::vec3(1));
+    for (const bool scene : {false, true}) {
+        const World& world = scene ? open_scene(R"({"model": "a.obj"})") : open("a.obj");
+        EXPECT_EQ(only<Gooch>(world).b, Gooch{}.b);
+        EXPECT_EQ(only<Camera>(world).active, true);
+        EXPECT_EQ(world.query<const Light>().count(), 1u);
+        EXPECT_EQ(only<Compose>(world).background, glm::vec3(1));
     }
 }
 
