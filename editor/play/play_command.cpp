@@ -1,3 +1,4 @@
+#include <hachure/editor/interrupt.h>
 #include <hachure/editor/play/find_tests.h>
 #include <hachure/editor/play/junit.h>
 #include <hachure/editor/play/play_command.h>
@@ -141,6 +142,7 @@ int run_play_command(const PlayCommandOptions& options) {
     }
     const std::vector<std::filesystem::path> tests = play::find_tests(options.tests);
     if (!options.record.empty()) return play::record(tests.at(0), options.record);
+    const InterruptWatch watch; // outlives the folder, which a signal must not leave behind
     const RunFolder folder;
     const play::PoolOptions pool{options.jobs, options.limit_s, folder.path(), !options.report.empty(),
                                  worker_options(options)};

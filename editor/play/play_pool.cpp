@@ -137,7 +137,6 @@ private:
 
 std::vector<PlayResult> play_in_processes(std::span<const std::filesystem::path> files, const PoolOptions& options,
                                           const std::function<void(const PlayResult&)>& done) {
-    const InterruptWatch watch;
     std::vector<std::optional<PlayResult>> results(files.size());
     std::list<Worker> workers;
     std::size_t started = 0, told = 0;

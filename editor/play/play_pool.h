@@ -21,8 +21,8 @@ struct PoolOptions {
 
 /// Plays each test in a process of this program's own, so that a test that crashes or hangs is a failed test and
 /// nothing else. Calls `done` in the order of the files, as soon as a result and those before it are there. Returns all
-/// results in that order. Throws Error when a signal interrupts it or no process can be started; none is left behind
-/// then.
+/// results in that order. Throws Error when a signal interrupts it (InterruptWatch) or no process can be started; none
+/// is left behind then.
 std::vector<PlayResult> play_in_processes(std::span<const std::filesystem::path> files, const PoolOptions& options,
                                           const std::function<void(const PlayResult&)>& done);
 

@@ -87,6 +87,17 @@ TEST(PlayCommand, LeavesNothingBehindButWhatItWasAskedFor) {
     EXPECT_TRUE(std::filesystem::exists(folder / "r/index.html"));
 }
 
+TEST(PlayCommand, ASignalEndsItWithNothingLeft) {
+    const TempFolder folder, temporary;
+    folder.write("t.play.json", long_test().dump());
+    const ProcessResult result = run_process({"/usr/bin/env", "TMPDIR=" + temporary.path().string(), "/usr/bin/timeout",
+                                              "--foreground", "-s", "INT", "2", HACHURE_PROGRAM, "play", "."},
+                                             folder.path());
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_TRUE(temporary.listing().empty());
+    EXPECT_EQ(folder.listing().size(), 1u);
+}
+
 TEST(PlayCommand, ChecksItsUse) {
     const TempFolder folder;
     std::filesystem::create_directory(folder / "empty");

@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <iterator>
 #include <string>
+#include <vector>
 
 namespace hachure::test {
 
@@ -30,23 +32,41 @@ inline nlohmann::json still_test(nlohmann::json expectation) {
             {"expect", nlohmann::json::array({std::move(expectation)})}};
 }
 
-/// Tests that play tests, each in a process that is forked: the program's worker without its start.
+/// Tests that play tests, each in a process of its own: forked, without the start of a program, where this one has but
+/// one thread, else the program's worker.
 class Played : public testing::Test {
 protected:
     play::PlayResult play(const nlohmann::json& document, const play::PlayOptions& options = {}, int threads = 0) {
         const std::filesystem::path file = folder_.write("t.play.json", document.dump(1));
         const std::filesystem::path result = folder_ / "result.json";
         std::filesystem::remove(result);
-        const ProcessResult process = Process([&] {
-                                          if (threads > 0) set_thread_limit(threads);
-                                          play::play_as_worker(file, options, result);
-                                          return 0;
-                                      }).wait();
+        const auto work = [&] {
+            if (threads > 0) set_thread_limit(threads);
+            play::play_as_worker(file, options, result);
+            return 0;
+        };
+        const ProcessResult process =
+            has_one_thread() ? Process(work).wait() : run_process(worker_command(file, options, threads, result));
         EXPECT_EQ(process.exit_code, 0) << "signal " << process.signal << "\n" << process.err;
         return play::result_from_json(nlohmann::json::parse(file_text(result)));
     }
 
     TempFolder folder_;
+
+private:
+    static bool has_one_thread() {
+        return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}) == 1;
+    }
+
+    static std::vector<std::string> worker_command(const std::filesystem::path& file, const play::PlayOptions& options,
+                                                   int threads, const std::filesystem::path& result) {
+        std::vector<std::string> command{HACHURE_PROGRAM, "play", "--worker", result, file};
+        command.insert(command.end(), {"--from", std::to_string(options.from)});
+        if (options.update) command.emplace_back("--update");
+        if (!options.evidence.empty()) command.insert(command.end(), {"--evidence", options.evidence});
+        if (threads > 0) command.insert(command.end(), {"--threads", std::to_string(threads)});
+        return command;
+    }
 };
 
 /// Why the first expectation failed; what went wrong with the run where something did; empty when all passed.

@@ -42,15 +42,16 @@ TEST(Record, TakesWhatAWindowSays) {
     EXPECT_EQ(play::read_recording(folder / "r.input.json").at(3), expected);
 }
 
-/// Until a signal closes it; then the recording is whole, and a test can replay it.
+/// Until a signal closes it (one: a second one would end it at once); then the recording is whole, and a test can
+/// replay it.
 TEST(Record, WritesARecordingThatReplays) {
     if (!has_display()) GTEST_SKIP() << "there is no display";
     const TempFolder folder;
     nlohmann::json test = still_test({{"frame", 0}, {"count", "surface"}, {"is", 4}});
     folder.write("t.play.json", test.dump());
-    const ProcessResult result = run_process(
-        {"/usr/bin/timeout", "-s", "INT", "4", HACHURE_PROGRAM, "play", "t.play.json", "--record", "r.input.json"},
-        folder.path());
+    const ProcessResult result = run_process({"/usr/bin/timeout", "--foreground", "-s", "INT", "4", HACHURE_PROGRAM,
+                                              "play", "t.play.json", "--record", "r.input.json"},
+                                             folder.path());
     EXPECT_NE(result.out.find("frames recorded"), std::string::npos) << result.out << result.err;
     test["recording"] = "r.input.json";
     folder.write("t.play.json", test.dump());
