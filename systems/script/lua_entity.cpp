@@ -5,7 +5,6 @@
 
 #include <lua5.4/lua.hpp>
 
-#include <new>
 #include <string>
 
 namespace hachure::script {
@@ -149,22 +148,6 @@ int to_text(lua_State* state) {
     return 1;
 }
 
-bool is_short_of_memory(const Context& context) {
-    return !context.forgetful && context.machine->memory() > context.machine->limits().memory / 2;
-}
-
-void set_forgetful(lua_State* state, bool forgetful) {
-    Context& context = context_of(state);
-    lua_rawgeti(state, LUA_REGISTRYINDEX, context.entity_cache);
-    if (forgetful)
-        lua_rawgeti(state, LUA_REGISTRYINDEX, context.weak_table);
-    else
-        lua_pushnil(state);
-    lua_setmetatable(state, -2);
-    lua_pop(state, 1);
-    context.forgetful = forgetful;
-}
-
 constexpr NamedFunction functions[] = {
     {"__newindex", bound<set_member>}, {"__eq", equal}, {"__tostring", bound<to_text>}, {nullptr, nullptr}};
 
@@ -179,34 +162,6 @@ Entity check_alive(lua_State* state, int index) {
     if (!box) luaL_argerror(state, index, "an entity is needed (is it called with a colon?)");
     if (!context_of(state).world->alive(box->entity)) luaL_error(state, "the entity is not alive");
     return box->entity;
-}
-
-void push_entity(lua_State* state, Entity entity) {
-    if (!entity) return lua_pushnil(state);
-    const Context& context = context_of(state);
-    const auto slot = static_cast<lua_Integer>(entity.index) + 1;
-    lua_rawgeti(state, LUA_REGISTRYINDEX, context.entity_cache);
-    if (lua_rawgeti(state, -1, slot) == LUA_TUSERDATA &&
-        static_cast<const EntityBox*>(lua_touserdata(state, -1))->entity == entity) {
-        lua_remove(state, -2);
-        return;
-    }
-    lua_pop(state, 1);
-    if (is_short_of_memory(context)) set_forgetful(state, true);
-    new (lua_newuserdatauv(state, sizeof(EntityBox), kept_components)) EntityBox{.entity = entity};
-    lua_rawgeti(state, LUA_REGISTRYINDEX, context.entity_methods);
-    lua_setmetatable(state, -2);
-    lua_pushvalue(state, -1);
-    lua_rawseti(state, -3, slot);
-    lua_remove(state, -2);
-}
-
-void trim_entities(lua_State* state) {
-    const Context& context = context_of(state);
-    if (context.forgetful && context.machine->memory() < context.machine->limits().memory / 4)
-        set_forgetful(state, false);
-    else if (is_short_of_memory(context))
-        set_forgetful(state, true);
 }
 
 void open_entities(lua_State* state) {
@@ -225,13 +180,7 @@ void open_entities(lua_State* state) {
     lua_pushcclosure(state, bound<get_member>, 1);
     lua_setfield(state, -2, "__index");
     context.entity_methods = luaL_ref(state, LUA_REGISTRYINDEX);
-
-    lua_newtable(state);
-    lua_pushliteral(state, "v");
-    lua_setfield(state, -2, "__mode");
-    context.weak_table = luaL_ref(state, LUA_REGISTRYINDEX);
-    lua_newtable(state);
-    context.entity_cache = luaL_ref(state, LUA_REGISTRYINDEX);
+    open_entity_cache(state);
 }
 
 } // namespace hachure::script

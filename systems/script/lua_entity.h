@@ -55,6 +55,9 @@ void open_components(lua_State* state);
 /// Makes the type of entities known.
 void open_entities(lua_State* state);
 
+/// Makes the place where their values are kept.
+void open_entity_cache(lua_State* state);
+
 /// `e:add(name, fields)`; see docs/scripts.md.
 int add_component(lua_State* state);
 

@@ -15,7 +15,7 @@ struct SandboxTest : ScriptTest {
         ScriptLimits limits;
         limits.steps = 1'000'000;
         limits.memory = std::size_t{8} << 20;
-        limits.seconds = 1.0; // for what steps count badly
+        limits.seconds = 0.5; // for what steps count badly
         world().set_resource(limits);
         const Entity other = add("function update() self.probe.count = self.probe.count + 1 end", "Other", "other.lua");
         const auto begin = std::chrono::steady_clock::now();
