@@ -4,6 +4,7 @@
 #include <hachure/components/surface.h>
 #include <hachure/components/transform.h>
 #include <hachure/runtime/assets/atomic_file.h>
+#include <hachure/runtime/assets/json_text.h>
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/scene_parts.h>
@@ -24,7 +25,15 @@ namespace {
 using nlohmann::json;
 using Json = nlohmann::ordered_json;
 
-constexpr int max_depth = 250; ///< of entities: each is two levels of JSON, which may have JsonText::max_depth
+/// Of entities: each is two levels of JSON, of which a document may have so many.
+constexpr int max_depth = static_cast<int>(assets::JsonText::max_depth) / 2;
+
+std::size_t depth_of(const Json& value) {
+    std::size_t inner = 0;
+    if (value.is_object() || value.is_array())
+        for (const Json& element : value) inner = std::max(inner, depth_of(element));
+    return inner + (value.is_object() || value.is_array() ? 1 : 0);
+}
 
 class SceneSaver {
 public:
@@ -216,7 +225,10 @@ private:
 
 std::string save_scene(const World& world, const TypeRegistry& types, const std::filesystem::path& folder,
                        std::vector<std::string>* warnings) {
-    return scene_text(SceneSaver(world, types, folder, warnings).run());
+    const Json document = SceneSaver(world, types, folder, warnings).run();
+    if (depth_of(document) > assets::JsonText::max_depth)
+        throw Error("scene", "entities stand too deep below each other for a file");
+    return scene_text(document);
 }
 
 std::vector<std::string> write_scene(const World& world, const TypeRegistry& types, const std::filesystem::path& file) {

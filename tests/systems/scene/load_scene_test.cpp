@@ -287,6 +287,11 @@ TEST_F(SceneTest, AnAnimationBesideAModelPlaysIt) {
     ASSERT_TRUE(hip);
     EXPECT_THAT(get<Rig>("Other").nodes, testing::Contains(hip));
     EXPECT_TRUE(scene.warnings.empty());
+    const std::string text = save();
+    app_ = make_app();
+    static_cast<void>(load_text(text));
+    EXPECT_EQ(save(), text);
+    EXPECT_EQ(get<Animation>("Fox").clip, "Run");
 }
 
 } // namespace

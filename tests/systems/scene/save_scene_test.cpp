@@ -113,6 +113,23 @@ TEST_F(SaveScene, WhatAFileCannotSayIsToldOrRefused) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "n.scene.json"));
 }
 
+TEST_F(SaveScene, TheDeepestTreeThatCanBeReadCanBeWritten) {
+    const auto nested = [](int levels) {
+        std::string entities = "{}";
+        for (int i = 1; i < levels; ++i) entities = R"({"children": [)" + entities + "]}";
+        return entities;
+    };
+    EXPECT_THAT(fault(nested(256)), HasSubstr("is nested deeper than 512 levels"));
+    static_cast<void>(load(nested(255)));
+    expect_same_again();
+    Entity deep = world().create_with(Name{"0"});
+    for (int i = 1; i < 300; ++i) {
+        const Entity below = world().create_with(Name{std::to_string(i)});
+        world().set_parent(below, std::exchange(deep, below));
+    }
+    EXPECT_THROW(static_cast<void>(save()), Error);
+}
+
 TEST_F(SaveScene, NumbersComeBackBitByBit) {
     std::vector<float> numbers{0.1f,  1.0f / 3.0f, 16777216.0f, 1e-45f, 3.4028235e38f, 1.17549435e-38f,
                                1e16f, 123456.7f,   -0.0f,       5e-7f,  2.5e15f};
