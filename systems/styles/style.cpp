@@ -94,9 +94,18 @@ private:
     Report report_;
 };
 
+/// A component of the type with all its fields at their defaults. One that is there keeps what no field holds, as the
+/// mesh of a surface.
+void* reset_component(World& world, const TypeInfo& type, Entity entity) {
+    void* component = type.find_mutable(world, entity);
+    if (!component) return type.add_default(world, entity);
+    for (const FieldInfo& field : type.fields) field.set(component, field.default_value);
+    return component;
+}
+
 void add_components(World& world, Entity entity, std::span<const StyleComponent> components) {
     for (const StyleComponent& component : components) {
-        void* value = component.type->add_default(world, entity);
+        void* value = reset_component(world, *component.type, entity);
         for (const auto& [field, field_value] : component.fields) field->set(value, field_value);
     }
     apply_model_extras(world, entity);

@@ -83,6 +83,15 @@ TEST_F(StyleTest, ErrorsNameTheFileAndThePlaceInIt) {
     }
 }
 
+TEST_F(StyleTest, ASurfaceKeepsItsMesh) {
+    World world;
+    const Entity entity = world.create_with(Surface{.mesh = 7, .visible = false});
+    apply_style(
+        world, app.types(),
+        parse_style(app.types(), "mine.json", R"({"hachure_style": 1, "surface": {"surface": {"tint": [1, 0, 0]}}})"));
+    EXPECT_EQ(world.get<Surface>(entity), (Surface{.mesh = 7, .tint = {1, 0, 0}}));
+}
+
 TEST_F(StyleTest, AnUnknownStyleIsRefusedWithTheNamesThereAre) {
     try {
         static_cast<void>(find_style(app.types(), "watercolour"));
