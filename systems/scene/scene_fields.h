@@ -4,6 +4,7 @@
 #include <hachure/runtime/ecs/reflect.h>
 #include <hachure/systems/scene/scene_faults.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -53,8 +54,8 @@ bool read_component(const TypeInfo& type, const nlohmann::json& value, const Sce
                                                          const SceneFile& file, const std::string& pointer,
                                                          SceneFaults& faults);
 
-/// The same set with paths of files as they mean from anywhere (`absolute`), or relative to `folder` again. What is not
-/// of the expected form stays.
+/// The same set with every path of a file as `change` has it: what it means from anywhere, or relative to a folder
+/// again. What is not of the expected form stays.
 [[nodiscard]] nlohmann::json with_paths(const SceneTypes& types, nlohmann::json components,
                                         const std::function<std::string(const std::string&)>& change);
 

@@ -40,7 +40,7 @@ inline std::unique_ptr<App> make_app() {
     return app;
 }
 
-/// A scene of a folder of its own, which has a model "die.obj" and "two.obj", an object of two.
+/// A scene of a folder of its own, which has the models "die.obj" and "lone.obj".
 class SceneTest : public testing::Test {
 protected:
     SceneTest() {

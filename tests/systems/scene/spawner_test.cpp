@@ -20,7 +20,6 @@ TEST_F(SpawnerTest, ReadsFilesOnceAndGivesThemTheScenesStyle) {
     EXPECT_EQ(world().parent(first), named("Ground"));
     EXPECT_EQ(named("Ground/Tree"), first);
     EXPECT_TRUE(has<Gooch>("Tree/lone"));
-    std::filesystem::remove(folder_ / "lone.obj.bak");
     const Entity second = spawn({.what = "lone.obj"});
     EXPECT_FALSE(world().parent(second));
     EXPECT_EQ(world().resource<MeshStore>().mesh_count(), 2u);
