@@ -28,18 +28,22 @@ bool TimelineTargets::names_matter(const World& world) const {
     return false;
 }
 
-/// An entity that moves takes along what is below it.
+/// An entity that moves takes along what is below it. Each is looked at once, however many moved above it.
 bool TimelineTargets::tree_matters(const World& world) const {
-    if (world.last_changed<Parent>() <= seen_) return false;
-    const auto matters = [&](Entity entity) { return entities_.contains(entity) || named_as_a_target(world, entity); };
-    const auto matters_with_all_below = [&](Entity entity) {
-        if (matters(entity)) return true;
-        return !world.children(entity).empty() && std::ranges::any_of(world.descendants(entity), matters);
+    if (names_.empty() || world.last_changed<Parent>() <= seen_) return false;
+    std::unordered_set<Entity> known;
+    std::vector<Entity> waiting;
+    const auto add = [&](Entity entity) {
+        if (known.insert(entity).second) waiting.push_back(entity);
     };
-    const std::vector<Entity> gone = world.removed_since<Parent>(seen_);
-    if (std::ranges::any_of(gone, matters_with_all_below)) return true;
-    for (auto [entity, parent] : world.query<const Parent>().changed_since<Parent>(seen_))
-        if (matters_with_all_below(entity)) return true;
+    for (const Entity entity : world.removed_since<Parent>(seen_)) add(entity);
+    for (auto [entity, parent] : world.query<const Parent>().changed_since<Parent>(seen_)) add(entity);
+    while (!waiting.empty()) {
+        const Entity entity = waiting.back();
+        waiting.pop_back();
+        if (entities_.contains(entity) || named_as_a_target(world, entity)) return true;
+        std::ranges::for_each(world.children(entity), add);
+    }
     return false;
 }
 
