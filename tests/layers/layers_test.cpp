@@ -123,6 +123,10 @@ TEST(Capabilities, AreRegisteredByTheProgramOnce) {
     }
 }
 
+TEST(Capabilities, HaveAPlaybackTestOfTheirName) {
+    for (const std::string& name : capabilities()) EXPECT_TRUE(exists("tests/playback/" + name + ".play.json")) << name;
+}
+
 TEST(Capabilities, ShaderFoldersBelongToOne) {
     const std::vector<std::string> names = capabilities();
     for (const std::string& folder : folders_in("shaders"))
