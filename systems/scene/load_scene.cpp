@@ -58,6 +58,8 @@ private:
                 faults_.fault(file, "/doc", "the doc of a scene is a text");
             else if (key == "looks")
                 read_looks(file, value);
+            else if (key == "$schema")
+                document_.unknown[key] = value; // for the author's text editor
             else if (key != "hachure_scene" && key != "style" && key != "entities")
                 keep_unknown(file, key, value);
         }

@@ -112,6 +112,7 @@ Json scene_schema(const World& world, const TypeRegistry& types) {
                               {"type", Json::array({"string", "object", "null"})}};
     Json keys;
     keys["hachure_scene"] = {{"description", "the version of the format"}, {"const", scene_version}};
+    keys["$schema"] = text_schema("where text editors find this schema");
     keys["doc"] = text_schema("one line that says what the scene shows");
     keys["style"] = {
         {"description", "what all surfaces and the camera carry"},

@@ -52,6 +52,15 @@ TEST(List, TheReferencePageOfComponentsIsCurrent) {
         << "renew it: build/release/hachure list components --markdown > docs/components.md";
 }
 
+TEST(List, ThePublishedSchemaIsCurrent) {
+    const TempFolder folder;
+    const ProcessResult result = forked_command({"list", "schema"}, folder.path());
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_NE(result.out.find("\"hachure_scene\""), std::string::npos);
+    EXPECT_TRUE(file_text(HACHURE_SOURCE_DIR "/docs/scene.schema.json") == result.out)
+        << "renew it: build/release/hachure list schema > docs/scene.schema.json";
+}
+
 TEST(List, MarkdownIsForComponents) {
     const TempFolder folder;
     EXPECT_EQ(forked_command({"list", "styles", "--markdown"}, folder.path()).exit_code, 2);

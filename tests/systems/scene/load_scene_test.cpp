@@ -143,6 +143,13 @@ TEST_F(SceneTest, WhatIsNotKnownIsToldWithItsPlace) {
                             "test.scene.json: there is no component 'zork' (line 3, column 25: /entities/0/zork)"));
 }
 
+TEST_F(SceneTest, ItsSchemaIsNothingUnknown) {
+    const LoadedScene scene = load(R"({"name": "A"})", R"(, "$schema": "../scene.schema.json")");
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_THAT(save_scene(app_->world(), app_->types(), folder_.path()),
+                HasSubstr(R"("$schema": "../scene.schema.json")"));
+}
+
 TEST_F(SceneTest, ASceneWithinItselfIsRefused) {
     write("a.scene.json", R"({"hachure_scene": 1, "entities": [{"scene": "b.scene.json"}]})");
     write("b.scene.json", R"({"hachure_scene": 1, "entities": [{"scene": "sub/../a.scene.json"}]})");
