@@ -21,6 +21,16 @@ namespace {
 
 constexpr std::size_t longest_chunk = 50; ///< what of a name Lua shows in messages
 
+/// What is said fits on a line: Lua quotes what it does not understand, which may be half a program.
+std::string one_line(std::string_view message) {
+    constexpr std::size_t longest = 300; // bytes
+    std::string line(message.substr(0, longest));
+    if (line.size() < message.size()) line += " ...";
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return c < ' '; }, ' ');
+    return line;
+}
+
 /// What a file is called in messages.
 std::string chunk_of(const std::string& file) {
     const std::string name = std::filesystem::path(file).filename().string();
@@ -157,8 +167,9 @@ void ScriptEngine::stop(World& world, Instance& instance, const Fault& fault) {
     release(instance);
     lua_gc(machine_->state(), LUA_GCCOLLECT); // others may need what it held
     const std::string& chunk = instance.chunk;
-    std::string message = fault.line > 0 ? fmt::format("{}:{}: {}", chunk, fault.line, fault.message)
-                                         : fmt::format("{}: {}", chunk, fault.message);
+    const std::string what = one_line(fault.message);
+    std::string message =
+        fault.line > 0 ? fmt::format("{}:{}: {}", chunk, fault.line, what) : fmt::format("{}: {}", chunk, what);
     if (logged_.insert(message).second) log_warning(message);
     ScriptErrors* errors = world.find_resource<ScriptErrors>();
     if (!errors) errors = &world.set_resource(ScriptErrors{});

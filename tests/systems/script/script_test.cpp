@@ -198,5 +198,14 @@ TEST_F(ScriptTest, TwoOfANameHaveNumbersOfTheirOwn) {
     EXPECT_NE(probe(a).exact, probe(b).exact);
 }
 
+TEST_F(ScriptTest, WhatIsSaidFitsOnALine) {
+    const std::string half_a_program(2000, 'x');
+    run("local t = {}\nfunction f(a, [[b\nc\n" + half_a_program + "]]) end");
+    ASSERT_EQ(errors().size(), 1u);
+    EXPECT_EQ(errors().front().message.find('\n'), std::string::npos);
+    EXPECT_LT(errors().front().message.size(), 400u);
+    EXPECT_NE(errors().front().message.find("b c x"), std::string::npos) << errors().front().message;
+}
+
 } // namespace
 } // namespace hachure::test
