@@ -131,15 +131,15 @@ std::vector<Entity> NameIndex::find_all(const World& world, std::string_view pat
 Entity NameIndex::find_below(const World& world, Entity root, std::string_view path) const {
     std::vector<Entity> found = matches(world, path);
     // Many of that name, few below: copies of something, each with its own.
-    std::vector<Entity> todo{root};
-    for (std::size_t looked_at = 0; !todo.empty() && looked_at < found.size(); ++looked_at) {
-        const Entity entity = todo.back();
-        todo.pop_back();
+    std::vector<Entity> waiting{root};
+    for (std::size_t looked_at = 0; !waiting.empty() && looked_at < found.size(); ++looked_at) {
+        const Entity entity = waiting.back();
+        waiting.pop_back();
         if (entity != root && is_called(world, entity, path)) return entity;
         const std::span<const Entity> children = world.children(entity);
-        todo.insert(todo.end(), children.rbegin(), children.rend());
+        waiting.insert(waiting.end(), children.rbegin(), children.rend());
     }
-    if (todo.empty()) return Entity::null;
+    if (waiting.empty()) return Entity::null;
     std::erase_if(found, [&](Entity entity) { return !is_below(world, entity, root); });
     sort_by_tree(world, found);
     return found.empty() ? Entity::null : found.front();

@@ -1,4 +1,5 @@
 #include <hachure/editor/play/json_object.h>
+#include <hachure/runtime/assets/json_place.h>
 
 #include <fmt/format.h>
 
@@ -7,16 +8,7 @@
 namespace hachure::play {
 
 std::string child_pointer(std::string_view pointer, std::string_view key) {
-    std::string result = std::string(pointer) + "/";
-    for (const char c : key) {
-        if (c == '~')
-            result += "~0";
-        else if (c == '/')
-            result += "~1";
-        else
-            result += c;
-    }
-    return result;
+    return fmt::format("{}/{}", pointer, assets::pointer_token(key));
 }
 
 std::string child_pointer(std::string_view pointer, std::size_t index) {

@@ -139,4 +139,10 @@ std::size_t offset_of_second_key(std::string_view text, std::size_t offset, std:
     return walk.is('{') ? find_member(walk, key, 2).value_or(offset) : offset;
 }
 
+std::string pointer_token(std::string_view key) {
+    std::string token;
+    for (const char c : key) token += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    return token;
+}
+
 } // namespace hachure::assets

@@ -17,4 +17,7 @@ namespace hachure::assets {
 /// it does not.
 [[nodiscard]] std::size_t offset_of_second_key(std::string_view text, std::size_t offset, std::string_view key);
 
+/// A key as a JSON pointer has it (RFC 6901).
+[[nodiscard]] std::string pointer_token(std::string_view key);
+
 } // namespace hachure::assets

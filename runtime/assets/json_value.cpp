@@ -9,12 +9,6 @@
 
 namespace hachure::assets {
 
-std::string pointer_token(std::string_view key) {
-    std::string token;
-    for (const char c : key) token += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-    return token;
-}
-
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t most = 60;
     return text.size() > most ? fmt::format("\"{}...\"", text.substr(0, most)) : fmt::format("\"{}\"", text);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <hachure/runtime/assets/json_place.h>
 #include <hachure/runtime/assets/json_text.h>
 
 #include <nlohmann/json.hpp>
@@ -53,9 +54,6 @@ private:
     std::string pointer_;
     const nlohmann::json* value_;
 };
-
-/// A key as a JSON pointer has it (RFC 6901).
-[[nodiscard]] std::string pointer_token(std::string_view key);
 
 /// A text of a file, for a message: what is long is cut.
 [[nodiscard]] std::string in_quotes(std::string_view text);

@@ -2,6 +2,7 @@
 #include <hachure/components/name.h>
 #include <hachure/components/scene.h>
 #include <hachure/components/surface.h>
+#include <hachure/runtime/assets/json_place.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/scene_parts.h>
 #include <hachure/systems/scene/dress_scene.h>
@@ -82,8 +83,8 @@ private:
             return entry->second;
         }
         for (const auto& [name, components] : looks->items())
-            entry->second.emplace(name,
-                                  read_components(types_, components, file, "/looks/" + pointer_token(name), faults_));
+            entry->second.emplace(
+                name, read_components(types_, components, file, "/looks/" + assets::pointer_token(name), faults_));
         return entry->second;
     }
 
@@ -117,7 +118,7 @@ private:
                     give(piece.entity, said_, piece, "/" + key);
                 if (!unknown.empty() && piece.scope == 0) extras(piece.entity).unknown.update(unknown);
             } else {
-                faults_.warn(file_of(piece), piece.pointer + "/" + pointer_token(key),
+                faults_.warn(file_of(piece), piece.pointer + "/" + assets::pointer_token(key),
                              "there is no component '" + key.substr(0, 60) + "'");
                 if (piece.scope == 0) extras(piece.entity).unknown[key] = value;
             }
@@ -138,7 +139,7 @@ private:
     }
 
     void override_part(const ScenePiece& piece, const std::string& path, const json& components, Entity part) {
-        const std::string place = "/overrides/" + pointer_token(path);
+        const std::string place = "/overrides/" + assets::pointer_token(path);
         if (!part)
             return faults_.fault(file_of(piece), piece.pointer + place,
                                  "nothing below the entity is called '" + path.substr(0, 60) + "'");

@@ -1,6 +1,7 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/light.h>
 #include <hachure/components/scene.h>
+#include <hachure/runtime/assets/json_place.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/scene/dress_scene.h>
 #include <hachure/systems/scene/load_scene.h>
@@ -73,7 +74,7 @@ private:
     }
 
     void keep_unknown(const SceneFile& file, const std::string& key, const json& value) {
-        faults_.warn(file, "/" + pointer_token(key), "a scene has no '" + key.substr(0, 60) + "'");
+        faults_.warn(file, "/" + assets::pointer_token(key), "a scene has no '" + key.substr(0, 60) + "'");
         document_.unknown[key] = value;
     }
 

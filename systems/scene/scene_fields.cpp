@@ -1,4 +1,5 @@
 #include <hachure/components/surface.h>
+#include <hachure/runtime/assets/json_place.h>
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/scene/scene_fields.h>
@@ -39,17 +40,6 @@ const TypeInfo* SceneTypes::find(std::string_view name) const {
 
 bool is_file_field(const FieldInfo& field) { return field.kind == FieldKind::text && field.unit == "file"; }
 
-std::string pointer_token(std::string_view key) {
-    std::string result;
-    for (const char c : key) {
-        if (c == '~' || c == '/')
-            result += c == '~' ? "~0" : "~1";
-        else
-            result += c;
-    }
-    return result;
-}
-
 bool read_component(const TypeInfo& type, const json& value, const SceneFile& file, const std::string& pointer,
                     SceneFaults& faults, SaidComponent& said, json* unknown) {
     said.type = &type;
@@ -70,7 +60,7 @@ bool read_component(const TypeInfo& type, const json& value, const SceneFile& fi
             read_field(*field, field_value, file, pointer, faults, said);
             continue;
         }
-        faults.warn(file, pointer + "/" + pointer_token(name),
+        faults.warn(file, pointer + "/" + assets::pointer_token(name),
                     "component '" + type.name + "' has no field '" + name.substr(0, 60) + "'");
         if (unknown) (*unknown)[type.name][name] = field_value;
     }
@@ -85,7 +75,7 @@ std::vector<SaidComponent> read_components(const SceneTypes& types, const json& 
         return result;
     }
     for (const auto& [name, fields] : value.items()) {
-        const std::string place = pointer + "/" + pointer_token(name);
+        const std::string place = pointer + "/" + assets::pointer_token(name);
         const TypeInfo* type = types.find(name);
         SaidComponent said;
         if (!type)

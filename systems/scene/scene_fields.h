@@ -63,7 +63,4 @@ bool read_component(const TypeInfo& type, const nlohmann::json& value, const Sce
 /// done, since only a model gives an entity a surface.
 bool apply(World& world, Entity entity, const SaidComponent& said);
 
-/// A key as part of a JSON pointer.
-[[nodiscard]] std::string pointer_token(std::string_view key);
-
 } // namespace hachure

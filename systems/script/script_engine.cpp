@@ -21,14 +21,12 @@ namespace {
 
 constexpr std::size_t longest_chunk = 50; ///< what of a name Lua shows in messages
 
-/// What is said fits on a line: Lua quotes what it does not understand, which may be half a program.
+/// What is said fits on a line, as every Error does: Lua quotes what it does not understand, which may be half a
+/// program.
 std::string one_line(std::string_view message) {
     constexpr std::size_t longest = 300; // bytes
-    std::string line(message.substr(0, longest));
-    if (line.size() < message.size()) line += " ...";
-    std::ranges::replace_if(
-        line, [](unsigned char c) { return c < ' '; }, ' ');
-    return line;
+    const bool fits = message.size() <= longest;
+    return Error(fits ? std::string(message) : fmt::format("{} ...", message.substr(0, longest))).what();
 }
 
 /// What a file is called in messages.

@@ -2,6 +2,7 @@
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/capabilities.h>
+#include <hachure/tests/support/mutations.h>
 #include <hachure/tests/support/temp_folder.h>
 
 #include <gtest/gtest.h>
@@ -166,17 +167,12 @@ TEST(PlayDocument, ARecordingComesBackAsItWas) {
     EXPECT_THROW(static_cast<void>(play::read_play(types(), file)), Error);
 }
 
-int mutations() {
-    const char* wanted = std::getenv("HACHURE_MUTATIONS");
-    return wanted ? std::max(1, std::atoi(wanted)) : 400;
-}
-
 /// Bytes of the document are changed, removed and doubled: it is read or refused in words, whatever comes of it.
 TEST(PlayDocument, SurvivesMutations) {
     std::mt19937 random(20261122);
     const std::string bytes = "\"{}[]:,0129-.eE \\tnul/ax\n\xff";
     int refused = 0;
-    for (int i = 0, count = mutations(); i < count; ++i) {
+    for (int i = 0, count = mutation_count(); i < count; ++i) {
         std::string text = whole;
         for (unsigned edits = 1 + random() % 4; edits-- > 0;) {
             const std::size_t at = random() % text.size(), length = 1 + random() % 12;
@@ -201,7 +197,7 @@ TEST(PlayDocument, SurvivesMutations) {
             EXPECT_TRUE(std::string(error.what()).starts_with("folder/t.play.json: ")) << error.what();
         }
     }
-    EXPECT_GT(refused, mutations() / 2);
+    EXPECT_GT(refused, mutation_count() / 2);
 }
 
 } // namespace

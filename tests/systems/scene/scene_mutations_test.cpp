@@ -1,7 +1,7 @@
+#include <hachure/tests/support/mutations.h>
 #include <hachure/tests/systems/scene/scene_fixture.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <random>
 
 namespace hachure::test {
@@ -95,11 +95,6 @@ std::string mutated(std::uint64_t seed) {
     return text;
 }
 
-int environment_or(const char* name, int fallback) {
-    const char* value = std::getenv(name);
-    return value ? std::atoi(value) : fallback;
-}
-
 class SceneMutations : public SceneTest {
 protected:
     /// What was loaded can be saved, loaded and saved again, and stays the same.
@@ -121,7 +116,7 @@ protected:
 TEST_F(SceneMutations, WhateverAFileHoldsItIsASceneOrAnError) {
     write("inner.scene.json", R"({"hachure_scene": 1, "entities": [{"name": "Arm", "model": "die.obj"}]})");
     static_cast<void>(load_text(whole));
-    const int count = environment_or("HACHURE_MUTATIONS", 400);
+    const int count = mutation_count();
     int scenes = 0, errors = 0;
     const auto app = make_app();
     for (int seed = 1; seed <= count; ++seed) {
@@ -146,7 +141,7 @@ TEST_F(SceneMutations, WhateverAFileHoldsItIsASceneOrAnError) {
 
 TEST_F(SceneMutations, InspectionOfWhateverAFileHoldsEnds) {
     write("inner.scene.json", R"({"hachure_scene": 1, "entities": [{"name": "Arm", "model": "die.obj"}]})");
-    const int count = environment_or("HACHURE_MUTATIONS", 400) / 4;
+    const int count = mutation_count() / 4;
     for (int seed = 1; seed <= count; ++seed) {
         const std::filesystem::path file = write("test.scene.json", mutated(static_cast<std::uint64_t>(seed)));
         bool fine = true;

@@ -1,5 +1,6 @@
 // Damaged programs stop, or run; they harm nothing else.
 
+#include <hachure/tests/support/mutations.h>
 #include <hachure/tests/systems/script/script_fixture.h>
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 namespace hachure::test {
@@ -127,11 +127,6 @@ std::string mutated(std::uint64_t seed) {
     return text;
 }
 
-std::uint64_t mutation_count() {
-    const char* asked = std::getenv("HACHURE_MUTATIONS");
-    return asked ? std::strtoull(asked, nullptr, 10) : 400;
-}
-
 struct Outcome {
     bool stopped = false;
     double seconds = 0.0;
@@ -169,9 +164,9 @@ Outcome run_damaged(const TempFolder& folder, std::uint64_t seed) {
 
 TEST(ScriptMutations, StopOrRun) {
     const TempFolder folder;
-    std::uint64_t stopped = 0;
+    int stopped = 0;
     double slowest = 0.0;
-    for (std::uint64_t seed = 0; seed < mutation_count(); ++seed) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(mutation_count()); ++seed) {
         const Outcome outcome = run_damaged(folder, seed);
         stopped += outcome.stopped;
         slowest = std::max(slowest, outcome.seconds);
