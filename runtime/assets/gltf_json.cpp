@@ -1,4 +1,5 @@
 #include <hachure/runtime/assets/gltf_json.h>
+#include <hachure/runtime/assets/json_place.h>
 #include <hachure/runtime/error.h>
 
 #include <fmt/format.h>
@@ -48,19 +49,6 @@ void check_json_size(std::string_view text, const std::string& file) {
         throw Error(file, fmt::format("has too much JSON: {} objects, {} values", objects, values));
 }
 
-std::string escaped(std::string_view key) {
-    std::string text;
-    for (const char c : key) {
-        if (c == '~')
-            text += "~0";
-        else if (c == '/')
-            text += "~1";
-        else
-            text += c;
-    }
-    return text;
-}
-
 bool fits_float(const json& value) {
     return value.is_number() && std::abs(value.get<double>()) <= std::numeric_limits<float>::max();
 }
@@ -82,7 +70,7 @@ json parse_gltf_json(std::string_view text, const std::string& file) {
 
 std::string JsonPlace::pointer() const {
     if (parent_ == nullptr) return {};
-    return parent_->pointer() + "/" + (key_.empty() ? std::to_string(element_) : escaped(key_));
+    return parent_->pointer() + "/" + (key_.empty() ? std::to_string(element_) : pointer_token(key_));
 }
 
 void JsonPlace::fail(std::string_view fault) const {
@@ -91,7 +79,7 @@ void JsonPlace::fail(std::string_view fault) const {
 }
 
 void JsonPlace::fail_at(std::string_view key, std::string_view fault) const {
-    throw Error(*file_, fault, pointer() + "/" + escaped(key));
+    throw Error(*file_, fault, pointer() + "/" + pointer_token(key));
 }
 
 bool JsonPlace::has(std::string_view key) const { return json_->is_object() && json_->contains(key); }

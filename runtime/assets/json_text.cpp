@@ -21,12 +21,6 @@ std::string shortened(std::string text, std::size_t size) {
     return text.substr(0, size) + "...";
 }
 
-std::string escaped(std::string_view key) {
-    std::string result;
-    for (const char c : key) result += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-    return result;
-}
-
 /// What is wrong, out of the parser's "[id] parse error at line 1, column 2: syntax error while parsing ...".
 std::string fault_of(std::string_view message) {
     for (const std::string_view before : {"syntax error ", "] "})
@@ -89,7 +83,7 @@ public:
                 continue;
             }
             for (const auto& [key, value] : open_[i]->items())
-                if (&value == open_[i + 1]) result += "/" + escaped(key);
+                if (&value == open_[i + 1]) result += "/" + pointer_token(key);
         }
         return result;
     }
