@@ -76,10 +76,11 @@ void draw_item(const World& world, RenderContext& render, const DrawItem& item, 
                const SurfaceShading& shading) {
     const MeshStore& store = world.resource<MeshStore>();
     const SurfaceMesh& mesh = store.mesh(item.mesh);
-    render.meshes.vertex_array(store, item).bind();
+    const gpu::VertexArray* own = shading.vertex_array ? shading.vertex_array(item) : nullptr;
+    (own ? *own : render.meshes.vertex_array(store, item)).bind();
     for (const Submesh& submesh : mesh.submeshes) {
         if (submesh.index_count == 0) continue;
-        gpu::ProgramSource source{.vertex = "surface/surface.vert", .fragment = std::string(shading.fragment)};
+        gpu::ProgramSource source{.vertex = std::string(shading.vertex), .fragment = std::string(shading.fragment)};
         if (targets.normal) source.defines.push_back({"OUT_NORMAL", ""});
         if (targets.object_id) source.defines.push_back({"OUT_OBJECT_ID", ""});
         if (item.mirrored) source.defines.push_back({"MIRRORED", ""});
@@ -93,6 +94,7 @@ void draw_item(const World& world, RenderContext& render, const DrawItem& item, 
             render.meshes.texture(store, submesh.material.base_color_texture).bind(0);
         if (has_normal_map(mesh, submesh.material))
             render.meshes.texture(store, submesh.material.normal_texture).bind(1);
+        if (shading.bind) shading.bind(item);
         gpu::apply(draw_state(world.resource<View>(), item, submesh.material));
         program.use();
         gpu::gl().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(submesh.index_count), GL_UNSIGNED_INT,

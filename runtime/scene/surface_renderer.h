@@ -4,6 +4,7 @@
 #include <hachure/runtime/gpu/frame_graph.h>
 #include <hachure/runtime/gpu/program.h>
 #include <hachure/runtime/gpu/shader_source.h>
+#include <hachure/runtime/gpu/vertex_array.h>
 #include <hachure/runtime/scene/draw_list.h>
 
 #include <functional>
@@ -29,8 +30,17 @@ struct SurfaceShading {
     std::string_view name;     ///< as in DrawClaims
     std::string_view fragment; ///< below shaders/; includes surface/surface.glsl and calls write_surface()
     /// Adds the defines that the item needs and sets its uniforms; either may be empty.
-    std::function<void(Entity, std::vector<gpu::ShaderDefine>&)> defines;
-    std::function<void(Entity, gpu::Program&)> uniforms;
+    std::function<void(Entity, std::vector<gpu::ShaderDefine>&)> defines = {};
+    std::function<void(Entity, gpu::Program&)> uniforms = {};
+    std::string_view vertex = "surface/surface.vert"; ///< another one includes surface/vertex.glsl
+    /// Binds what else the shaders read, before each of the item's draw calls: textures from unit `first_free_unit` on,
+    /// storage buffers. May be empty.
+    std::function<void(const DrawItem&)> bind = {};
+    /// Another vertex array to draw the item with: same indices in the same order, attribute locations 0 to 5 as those
+    /// of GpuMesh, its own from 6 on. Null, or an empty function, for the item's own.
+    std::function<const gpu::VertexArray*(const DrawItem&)> vertex_array = {};
+
+    static constexpr unsigned first_free_unit = 2; ///< units 0 and 1 hold the material's textures
 };
 
 /// Draws every item of the world's DrawList that `shading` has claimed (DrawClaims) into `targets`, from within a pass.

@@ -111,6 +111,8 @@ void register_compose(App& app) {
     app.add_system(Stage::render, "compose.passes", declare_passes)
         .after("surface.passes")
         .after("gooch.pass")
+        .after("metal.pass")
+        .after("toon.pass")
         .after("edge_lines.pass");
 }
 

@@ -113,7 +113,11 @@ void register_edge_lines(App& app) {
     app.world().set_resource(EdgeLineFrame{});
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
     app.add_system(Stage::material, "edge_lines.select", update_batches).after("surface.collect");
-    app.add_system(Stage::render, "edge_lines.pass", declare_pass).after("surface.passes").after("gooch.pass");
+    app.add_system(Stage::render, "edge_lines.pass", declare_pass)
+        .after("surface.passes")
+        .after("gooch.pass")
+        .after("metal.pass")
+        .after("toon.pass");
 }
 
 } // namespace hachure

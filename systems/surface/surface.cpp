@@ -131,7 +131,7 @@ void declare_passes(World& world) {
     RenderContext& render = world.resource_mutable<RenderContext>();
     render.meshes.forget_shapes_but(world.resource<DrawList>().items);
     declare_targets(world, render);
-    add_surface_pass(world, {.name = unlit, .fragment = "surface/unlit.frag", .defines = {}, .uniforms = {}}, 0);
+    add_surface_pass(world, {.name = unlit, .fragment = "surface/unlit.frag"}, 0);
 }
 
 } // namespace

@@ -69,6 +69,8 @@ void register_velocity(App& app) {
     app.add_system(Stage::render, "velocity.pass", declare_pass)
         .after("surface.passes")
         .after("gooch.pass")
+        .after("metal.pass")
+        .after("toon.pass")
         .after("edge_lines.pass")
         .before("compose.passes");
 }
