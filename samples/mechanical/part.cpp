@@ -93,7 +93,8 @@ assets::Primitive make_knob() {
     });
     Loop rim, foot;
     for (int k = 0; k < segments; ++k) {
-        rim.push_back(polar(outline(k) - round * (1.0 - std::cos(0.5 * pi)), high - round * (1.0 - std::sin(0.5 * pi)), k));
+        rim.push_back(
+            polar(outline(k) - round * (1.0 - std::cos(0.5 * pi)), high - round * (1.0 - std::sin(0.5 * pi)), k));
         foot.push_back(polar(outline(k), low, k));
     }
     solid.face(rim, ring(bore + 0.03, high), {0.0, high, 0.0}, up);

@@ -42,8 +42,7 @@ Profile arc(glm::dvec2 centre, double radius, double begin, double end, int piec
 Loop circle(double distance, double k, double radius, double height, int points) {
     const glm::dvec3 centre = polar(distance, height, k);
     Loop loop;
-    for (int i = 0; i < points; ++i)
-        loop.push_back(centre + polar(radius, 0.0, double(segments) * i / points));
+    for (int i = 0; i < points; ++i) loop.push_back(centre + polar(radius, 0.0, double(segments) * i / points));
     return loop;
 }
 

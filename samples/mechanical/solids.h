@@ -39,7 +39,8 @@ public:
     void turn_arc(glm::dvec2 centre, double radius, double begin, double end, double sign);
     /// The flat face between two loops around `centre`; an empty inner loop is the centre itself.
     void face(const Loop& outer, const Loop& inner, glm::dvec3 centre, glm::dvec3 normal);
-    /// A wall between two loops of equally many points; facets of their own, or smooth with the normals given per point.
+    /// A wall between two loops of equally many points; facets of their own, or smooth with the normals given per
+    /// point.
     void wall(const Loop& low, const Loop& high, glm::dvec3 inside, double sign);
     void smooth_wall(const Loop& low, const Loop& high, const std::vector<glm::dvec3>& normals);
     /// The cylinder of a hole's circle, seen from within.

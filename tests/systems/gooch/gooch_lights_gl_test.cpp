@@ -125,8 +125,8 @@ TEST_P(GoochLightsTest, LightsThatReachNothingChangeNothing) {
     EXPECT_EQ(scene.draw().pixels, alone.pixels);
 }
 
-/// A light fades in, becomes the strongest and stays alone: no step of a hundredth changes a colour by more than steps
-/// of this size must, and the ends are the pictures of one light.
+/// A light fades in, becomes the strongest and stays alone: no step changes a colour by more than steps of this
+/// size must, and the ends are the pictures of one light.
 TEST_P(GoochLightsTest, LightsFadeWithoutAPop) {
     GoochScene scene(context(), both_projections()[0]);
     World& world = scene.scene.world();
@@ -135,20 +135,20 @@ TEST_P(GoochLightsTest, LightsFadeWithoutAPop) {
     const assets::Image start = scene.draw();
     const Entity second =
         world.create_with(Transform{.rotation = shining({-3, 2, 1}, {})}, Light{.color = {0.4f, 0.6f, 1.0f}});
-    // Relative to the stronger, strengths move by at most .02 a step about their meeting; a weight moves by less, a
+    // Relative to the stronger, strengths move by .05 a step; a weight moves by less, a
     // tone by k_warm - k_cool = .8 of that, a highlight by all of it.
     assets::Image before = start;
     double worst = 0.0;
-    for (int step = 0; step <= 200; ++step) {
-        const float share = static_cast<float>(step) / 200.0f;
+    for (int step = 0; step <= 40; ++step) {
+        const float share = static_cast<float>(step) / 40.0f;
         world.get_mutable<Light>(first).intensity = std::min(1.0f, 2.0f - 2.0f * share);
         world.get_mutable<Light>(second).intensity = std::min(1.0f, 2.0f * share);
         const assets::Image now = scene.draw();
         worst = std::max(worst, difference(before, now));
         before = now;
     }
-    std::printf("greatest step of 200: %.4f\n", worst);
-    EXPECT_LE(worst, 0.02);
+    std::printf("greatest step of 40: %.4f\n", worst);
+    EXPECT_LE(worst, 0.09);
     EXPECT_GT(difference(start, before), 0.4);
     world.destroy(first);
     EXPECT_LE(difference(scene.draw(), before), 1e-6);
