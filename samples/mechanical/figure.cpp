@@ -20,9 +20,9 @@ using namespace hachure;
 namespace {
 
 constexpr glm::vec3 ink(0.03f, 0.03f, 0.04f), paper(1.0f);
-constexpr float cell_width = 2.32f, cell_height = 2.62f;  ///< of one copy, in its radii
-constexpr float letter_height = 0.105f;                   ///< of a letter, in radii
-constexpr float label_place = -1.16f, part_place = 0.16f; ///< above the middle of a cell
+constexpr float cell_width = 2.0f, cell_height = 2.3f;  ///< of one copy, in its radii
+constexpr float letter_height = 0.082f;                   ///< of a letter, in radii
+constexpr float label_place = -1.04f, part_place = 0.1f; ///< above the middle of a cell
 
 void add_lines(World& world, Entity surface, float width) {
     world.add(surface, EdgeLines{.crease_angle = 0.5f, .width = width, .color = ink});
@@ -95,7 +95,7 @@ void Figure::arrange(Canvas canvas) {
         const glm::vec3 cell = radius_ * glm::vec3(x * cell_width, y * cell_height, 0.0f);
         places_.push_back(cell + radius_ * glm::vec3(0.0f, part_place, 0.0f));
         const Copy& copy = copies_[static_cast<std::size_t>(i)];
-        const float letter = std::min(letter_height, 0.96f * cell_width / copy.label_width);
+        const float letter = std::min(letter_height, 0.9f * cell_width / copy.label_width);
         world.get_mutable<Transform>(copy.label) = {.translation = cell + radius_ * glm::vec3(0.0f, label_place, 1.5f),
                                                     .scale = glm::vec3(letter * radius_)};
     }

@@ -15,7 +15,7 @@ namespace {
 using hachure::SurfaceMesh;
 using Line = std::vector<glm::vec2>;
 
-constexpr float x_height = 6.0f, gap = 2.1f, pen = 0.42f; ///< grid units: of the letters below, and half of the pen
+constexpr float x_height = 6.0f, gap = 2.1f, pen = 0.38f; ///< grid units: of the letters below, and half of the pen
 
 /// Strokes on a grid where small letters are 6 high: "l x y x y ..." a line, "a cx cy rx ry from to" an arc in degrees.
 const std::map<char, std::pair<float, const char*>>& letters() {
