@@ -22,7 +22,7 @@ namespace {
 constexpr glm::vec3 ink(0.03f, 0.03f, 0.04f), paper(1.0f);
 constexpr float cell_width = 2.0f, cell_height = 2.3f;  ///< of one copy, in its radii
 constexpr float letter_height = 0.082f;                   ///< of a letter, in radii
-constexpr float label_place = -1.04f, part_place = 0.1f; ///< above the middle of a cell
+constexpr float label_place = -1.06f, part_place = 0.13f; ///< above the middle of a cell
 
 void add_lines(World& world, Entity surface, float width) {
     world.add(surface, EdgeLines{.crease_angle = 0.5f, .width = width, .color = ink});
