@@ -17,9 +17,9 @@ namespace hachure::geometry {
 /// Allocates nothing after the first run on a mesh of that size. Never NaN.
 struct StripeFramesJob {
     std::span<const glm::vec3> positions{};
-    std::span<const glm::vec3> normals{};      ///< unit, one per vertex
-    std::span<const std::uint32_t> indices{};  ///< 3 per triangle
-    std::span<const float> coordinate{};       ///< u, one per vertex, finite
+    std::span<const glm::vec3> normals{};     ///< unit, one per vertex
+    std::span<const std::uint32_t> indices{}; ///< 3 per triangle
+    std::span<const float> coordinate{};      ///< u, one per vertex, finite
     /// As in StripeMesh, one per vertex, so that frames agree on both sides of a line where u jumps; or both empty.
     std::span<const std::uint32_t> stands_for{};
     std::span<const std::uint8_t> mirrored{};
