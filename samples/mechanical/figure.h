@@ -7,28 +7,32 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include <array>
-#include <string_view>
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
-/// A way to draw the part, and what it is called below it.
-struct Look {
-    std::string_view label;
-    void (*dress)(hachure::World& world, hachure::Entity surface, float line_width);
+/// One model in one look, and what it is called below it.
+struct Cell {
+    const hachure::assets::Model* model; ///< must outlive the figure
+    std::string label;
+    /// Gives the spawned model its components; lines are `line_width` pixels wide.
+    std::function<void(hachure::App&, const hachure::SpawnedModel&, float line_width)> dress;
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    float zoom = 1.0f; ///< 1: its rest pose fills the cell
 };
 
-/// Those of figure 10 of Gooch 1998, from left to right.
-extern const std::array<Look, 4> figure_10;
+/// The looks of figure 10 of Gooch 1998, from left to right, of one model.
+std::vector<Cell> figure_10(const hachure::assets::Model& model);
 
-/// One model in all looks side by side, or two by two where the canvas is not wide enough; a label below each.
+/// Cells of four side by side, or of two or one where the canvas is not wide enough.
 class Figure {
 public:
-    /// Lines are `line_width` pixels wide.
-    Figure(hachure::App& app, const hachure::assets::Model& model, float line_width);
+    Figure(hachure::App& app, std::vector<Cell> cells, float line_width);
 
     /// Places everything for a canvas.
     void arrange(hachure::Canvas canvas);
-    /// Turns all copies alike, radians.
+    /// Turns all models alike, radians.
     void turn(float yaw, float pitch);
 
 private:
@@ -36,13 +40,16 @@ private:
         hachure::SpawnedModel model;
         hachure::Entity label;
         float label_width; ///< of letters 1 high
+        glm::quat rotation;
+        glm::vec3 pivot{0.0f}; ///< of the model: what stands in the middle of its cell
+        float scale = 1.0f;
+        glm::vec3 place{0.0f}; ///< of the pivot
     };
 
+    void fit(Copy& copy, const Cell& cell) const;
+
     hachure::App& app_;
+    std::map<const hachure::assets::Model*, hachure::StoredModel> stored_;
     std::vector<Copy> copies_;
     hachure::Entity camera_;
-    glm::vec3 middle_{0.0f};
-    float radius_ = 1.0f;
-    glm::quat rotation_;
-    std::vector<glm::vec3> places_{};
 };

@@ -16,9 +16,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "figure.h"
+#include "gallery.h"
 #include "part.h"
 
 namespace {
@@ -26,17 +28,27 @@ namespace {
 using namespace hachure;
 
 struct Options {
-    std::string model;   ///< file; empty for the sample's own part
+    std::vector<std::string> models; ///< files; none for the sample's own part
+    bool gallery = false;
     std::string picture; ///< file; empty for a window
-    Canvas size{1600, 452};
+    Canvas size{0, 0};   ///< 0: what suits the cells
 };
 
 constexpr int samples = 3; ///< a side, of each pixel of a picture
 constexpr float line_width = 1.4f;
 
-assets::Model model_of(const Options& options) {
-    return options.model.empty() ? make_part() : assets::read_model(options.model);
-}
+/// The models that are shown, and how.
+struct Shown {
+    explicit Shown(const Options& options) : models{make_part()} {
+        for (const std::string& file : options.models) models.push_back(assets::read_model(file));
+    }
+
+    [[nodiscard]] std::vector<Cell> cells(const Options& options) const {
+        return options.gallery ? gallery(models[1], models[2], models[0]) : figure_10(models.back());
+    }
+
+    std::vector<assets::Model> models; ///< the part first
+};
 
 double linear(std::uint8_t encoded) {
     const double s = encoded / 255.0;
@@ -71,7 +83,8 @@ int draw_picture(const Options& options) {
     App app;
     register_capabilities(app);
     Renderer renderer(app, *context);
-    Figure figure(app, model_of(options), line_width * samples);
+    const Shown shown(options);
+    Figure figure(app, shown.cells(options), line_width * samples);
     figure.arrange({options.size.width * samples, options.size.height * samples});
     renderer.render_frame();
     assets::write_png(options.picture, shrink(renderer.read_picture()));
@@ -91,7 +104,8 @@ int run_window(const Options& options) {
     App app;
     register_capabilities(app);
     Renderer renderer(app, *context);
-    Figure figure(app, model_of(options), line_width);
+    const Shown shown(options);
+    Figure figure(app, shown.cells(options), line_width);
     figure.arrange(options.size);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
         if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) glfwSetWindowShouldClose(w, GLFW_TRUE);
@@ -117,7 +131,9 @@ int run_window(const Options& options) {
 }
 
 int refuse() {
-    std::fputs("usage: mechanical [MODEL] [-o PICTURE.png] [--size WIDTHxHEIGHT]\n", stderr);
+    std::fputs("usage: mechanical [MODEL] [-o PICTURE.png] [--size WIDTHxHEIGHT]\n"
+               "       mechanical --gallery CHARACTER STATUE [-o PICTURE.png] [--size WIDTHxHEIGHT]\n",
+               stderr);
     return 2;
 }
 
@@ -137,11 +153,15 @@ int main(int argc, char** argv) {
             options.picture = argv[++i];
         else if (word == "--size" && i + 1 < argc) {
             if (!read_size(argv[++i], options.size)) return refuse();
-        } else if (word.starts_with("-") || !options.model.empty())
+        } else if (word == "--gallery")
+            options.gallery = true;
+        else if (word.starts_with("-"))
             return refuse();
         else
-            options.model = word;
+            options.models.emplace_back(word);
     }
+    if (options.gallery ? options.models.size() != 2 : options.models.size() > 1) return refuse();
+    if (options.size.width == 0) options.size = options.gallery ? Canvas{1200, 690} : Canvas{1600, 460};
     try {
         return options.picture.empty() ? run_window(options) : draw_picture(options);
     } catch (const std::exception& error) {
