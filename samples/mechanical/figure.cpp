@@ -10,6 +10,7 @@
 #include <hachure/runtime/error.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "lettering.h"
@@ -28,9 +29,12 @@ void add_lines(App& app, const SpawnedModel& model, float width) {
         app.world().add(surface, EdgeLines{.crease_angle = 0.5f, .width = width, .color = ink});
 }
 
+/// Stripes around each piece's own axis, other ones for every piece.
 void add_metal(App& app, const SpawnedModel& model, float cool_to_warm) {
+    std::uint32_t seed = 0;
     for (const Entity surface : model.surfaces)
-        app.world().add(surface, Metal{.source = MetalSource::around_axis, .cool_to_warm = cool_to_warm});
+        app.world().add(
+            surface,
 }
 
 } // namespace
