@@ -12,10 +12,12 @@ enum class LightKind { directional, point, spot };
 enum class LightRig {
     world,  ///< it stands in the scene; its direction is the entity's -Z
     camera, ///< it moves with the camera: the entity's rotation is relative to the camera's axes
+    gaze,   ///< as `camera`; directional light also turns with the line of sight to each point, from the camera's axis
 };
 
 /// A light of the scene. With rig `camera` and the default rotation of `spawn_default_light` it comes from up and to
-/// the right, perpendicular to the gaze, so that l.n spans [-1, 1] over what is seen (Gooch 1998, section 4.2).
+/// the right, perpendicular to the gaze, so that l.n spans [-1, 1] over what is seen (Gooch 1998, section 4.2). In a
+/// perspective view that holds on the camera's axis, and less far from it; with rig `gaze` it holds everywhere.
 struct Light {
     LightKind kind = LightKind::directional;
     LightRig rig = LightRig::world;
@@ -31,7 +33,9 @@ struct Light {
 inline void reflect(TypeBuilder<Light>& type) {
     type.name("light").doc("a light; shines along the entity's -Z");
     type.field("kind", &Light::kind).doc("kind of light").options({"directional", "point", "spot"});
-    type.field("rig", &Light::rig).doc("stands in the world, or moves with the camera").options({"world", "camera"});
+    type.field("rig", &Light::rig)
+        .doc("stands in the world, moves with the camera, or also turns with the line of sight to each point")
+        .options({"world", "camera", "gaze"});
     type.field("color", &Light::color).color().doc("colour of the light");
     type.field("intensity", &Light::intensity).doc("strength").range(0, 1e9);
     type.field("range", &Light::range).doc("distance at which it ends; 0 for no limit").unit("m").range(0, 1e12);

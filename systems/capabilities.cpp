@@ -9,6 +9,7 @@
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
+#include <hachure/systems/metal/metal.h>
 #include <hachure/systems/scene/scene.h>
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
@@ -31,6 +32,7 @@ void register_capabilities(App& app) {
     register_light(app);
     register_surface(app);
     register_gooch(app);
+    register_metal(app);
     register_edge_lines(app);
     register_compose(app);
     register_velocity(app);

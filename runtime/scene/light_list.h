@@ -19,12 +19,12 @@ struct ShadingLight {
     bool spot = false;
     float inner_cone = 0.0f; ///< radians
     float outer_cone = 0.0f; ///< radians
+    bool gaze = false;       ///< directional; turns from the camera's axis to the line of sight to each point
 
     friend bool operator==(const ShadingLight&, const ShadingLight&) = default;
 };
 
-/// The lights of this frame, the strongest first; systems/light gathers them. A resource. Gooch's model is of one light
-/// (section 3: "a single light source"), so it uses the first.
+/// The lights of this frame, the strongest first; systems/light gathers them. A resource.
 struct LightList {
     static constexpr std::size_t max_lights = 16;
 
@@ -41,6 +41,7 @@ struct LightList {
             hash.add(light.spot);
             hash.add(light.inner_cone);
             hash.add(light.outer_cone);
+            hash.add(light.gaze);
         }
         return hash.value();
     }

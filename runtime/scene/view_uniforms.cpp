@@ -44,7 +44,7 @@ LightBlock light_block(const LightList& list) {
         block.lights[i] = {light.position,
                            glm::vec4(light.direction, light.range),
                            glm::vec4(light.color, light.spot ? 1.0f : 0.0f),
-                           {std::cos(light.inner_cone), std::cos(light.outer_cone), 0.0f, 0.0f}};
+                           {std::cos(light.inner_cone), std::cos(light.outer_cone), light.gaze ? 1.0f : 0.0f, 0.0f}};
     }
     block.count = static_cast<std::int32_t>(count);
     return block;

@@ -55,6 +55,17 @@ vec3 mapped_normal() {
 }
 #endif
 
+// Whether a double-sided surface is seen from the side that its normals point away from.
+bool seen_from_behind() {
+#ifndef DOUBLE_SIDED
+    return false;
+#elif defined(MIRRORED)
+    return gl_FrontFacing;
+#else
+    return !gl_FrontFacing;
+#endif
+}
+
 // The unit normal on the side that is seen, with the normal map's relief. Seen from behind, a bump is a dent.
 vec3 surface_normal() {
 #ifdef NORMAL_MAP
@@ -62,14 +73,7 @@ vec3 surface_normal() {
 #else
     vec3 normal = normalize(world_normal);
 #endif
-#ifdef DOUBLE_SIDED
-#ifdef MIRRORED
-    if (gl_FrontFacing) normal = -normal;
-#else
-    if (!gl_FrontFacing) normal = -normal;
-#endif
-#endif
-    return normal;
+    return seen_from_behind() ? -normal : normal;
 }
 
 void write_surface(vec3 color, vec3 normal) {

@@ -14,7 +14,7 @@
 namespace hachure {
 namespace {
 
-/// Place and axes of a light in the world; a light on the camera's rig has its transform in the camera's axes.
+/// Place and axes of a light in the world; a light that moves with the camera has its transform in the camera's axes.
 glm::mat4 world_from_light(const Light& light, const glm::mat4& transform, const View& view) {
     if (light.rig == LightRig::world) return transform;
     return glm::inverse(view.view_from_world) * transform;
@@ -31,6 +31,7 @@ ShadingLight shading_light(const Light& light, const glm::mat4& place) {
     result.spot = light.kind == LightKind::spot;
     result.inner_cone = light.inner_cone;
     result.outer_cone = std::max(light.outer_cone, light.inner_cone + 1e-4f);
+    result.gaze = directional && light.rig == LightRig::gaze;
     return result;
 }
 

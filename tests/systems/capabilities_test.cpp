@@ -10,6 +10,7 @@
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
+#include <hachure/systems/metal/metal.h>
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
@@ -64,7 +65,7 @@ constexpr Capability capabilities[] = {
     {"surface", register_surface},     {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
     {"compose", register_compose},     {"animation", register_animation}, {"deform", register_deform},
     {"velocity", register_velocity},   {"curvature", register_curvature}, {"timeline", register_timeline},
-    {"script", register_script},
+    {"script", register_script},       {"metal", register_metal},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -88,8 +89,10 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_THAT(races(app), IsEmpty());
     EXPECT_THAT(names_in(app, Stage::light), ElementsAre("camera", "light"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "gooch.claim"));
+    EXPECT_LT(place(app, "surface.collect"), place(app, "metal.claim"));
+    EXPECT_LT(place(app, "gooch.claim"), place(app, "metal.claim"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "edge_lines.select"));
-    EXPECT_THAT(names_in(app, Stage::render), ElementsAre("deform.pass", "surface.passes", "gooch.pass",
+    EXPECT_THAT(names_in(app, Stage::render), ElementsAre("deform.pass", "surface.passes", "gooch.pass", "metal.pass",
                                                           "edge_lines.pass", "velocity.pass", "compose.passes"));
 }
 

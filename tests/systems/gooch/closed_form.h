@@ -1,139 +1,114 @@
 #pragma once
 
-#include <hachure/components/camera.h>
 #include <hachure/components/gooch.h>
-#include <hachure/components/transform.h>
-#include <hachure/runtime/scene/view.h>
+#include <hachure/components/light.h>
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec3.hpp>
+#include "ray_cast.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <vector>
-
-/// What the picture of a sphere and of a square must be, by ray casting in double precision. Shares no code with the
-/// shaders or the systems.
+/// What Gooch's modes must show, in double precision, written from the paper and docs/gooch.md alone.
 namespace hachure::test {
 
-using glm::dvec3;
-
-struct Ray {
-    dvec3 origin, direction; ///< the direction advances depth by 1
+/// A light as components/light.h describes it, in the world.
+struct CastLight {
+    LightKind kind = LightKind::directional;
+    dvec3 place{0.0};             ///< point, spot
+    dvec3 towards{0.0, 1.0, 0.0}; ///< unit: against the direction that it shines in
+    dvec3 color{1.0};             ///< relative to the strongest light
+    double range = 0.0, inner = 0.0, outer = 0.785398;
+    bool gaze = false;
 };
 
-class RayCamera {
-public:
-    RayCamera(const Camera& camera, const Transform& place, Canvas canvas)
-        : camera_(camera), canvas_(canvas), eye_(place.translation), right(glm::dquat(place.rotation) * dvec3(1, 0, 0)),
-          up(glm::dquat(place.rotation) * dvec3(0, 1, 0)), back(glm::dquat(place.rotation) * dvec3(0, 0, 1)) {}
-
-    /// Through the centre of a pixel; row 0 is the top.
-    [[nodiscard]] Ray ray(int column, int row) const {
-        const double aspect = static_cast<double>(canvas_.width) / canvas_.height;
-        const double x = ((column + 0.5) / canvas_.width * 2.0 - 1.0) * aspect;
-        const double y = 1.0 - (row + 0.5) / canvas_.height * 2.0;
-        if (camera_.projection == Projection::orthographic)
-            return {eye_ + double(camera_.ymag) * (x * right + y * up), -back};
-        const double slope = std::tan(0.5 * double(camera_.yfov));
-        return {eye_, slope * (x * right + y * up) - back};
-    }
-
-    /// Gooch's: up and to the right, perpendicular to the gaze.
-    [[nodiscard]] dvec3 light() const { return (right + up) / std::sqrt(2.0); }
-
-private:
-    Camera camera_;
-    Canvas canvas_;
-    dvec3 eye_;
-    dvec3 right, up, back;
-};
-
-struct Hit {
-    double depth = 1e10;
-    dvec3 normal{0.0}; ///< in the world, unit, on the side that is seen
-    int object = 0;    ///< counted from 1; 0 where nothing is
-};
-
-/// A unit sphere, or the square [-1, 1]^2 in z = 0 that faces +Z, behind a transform.
-struct CastObject {
-    enum Kind { sphere, square } kind;
-    Transform transform;
+/// What arrives at a point of one light.
+struct Arriving {
+    dvec3 l;      ///< unit, towards the light
+    double reach; ///< 0 to 1
     dvec3 color;
-    bool double_sided = false;
 
-    [[nodiscard]] glm::dmat4 matrix() const {
-        glm::dmat4 m = glm::mat4_cast(glm::dquat(transform.rotation));
-        for (int axis = 0; axis < 3; ++axis) m[axis] *= double(transform.scale[axis]);
-        m[3] = glm::dvec4(dvec3(transform.translation), 1.0);
-        return m;
+    [[nodiscard]] double strength() const { return reach * std::max({color.r, color.g, color.b}); }
+};
+
+inline Arriving arriving(const CastLight& light, const dvec3& point, const RayCamera& camera) {
+    if (light.kind == LightKind::directional) {
+        if (!light.gaze) return {light.towards, 1.0, light.color};
+        const dvec3 sight = camera.to_eye(point), about = glm::cross(camera.axis(), sight);
+        const double sine = glm::length(about);
+        const double angle = std::atan2(sine, glm::dot(camera.axis(), sight));
+        if (sine < 1e-12) return {light.towards, 1.0, light.color};
+        return {glm::angleAxis(angle, about / sine) * light.towards, 1.0, light.color};
     }
+    const dvec3 way = light.place - point;
+    const double distance = glm::length(way);
+    Arriving result{way / distance, 1.0, light.color};
+    if (light.range > 0.0) result.reach = std::clamp(1.0 - std::pow(distance / light.range, 4.0), 0.0, 1.0);
+    if (light.kind == LightKind::spot) {
+        const double cosine = glm::dot(result.l, light.towards), outer = std::cos(light.outer);
+        const double inside = std::clamp((cosine - outer) / (std::cos(light.inner) - outer), 0.0, 1.0);
+        result.reach *= inside * inside;
+    }
+    return result;
+}
 
-    [[nodiscard]] std::optional<Hit> cast(const Ray& ray) const {
-        const glm::dmat4 inverse = glm::inverse(matrix());
-        const dvec3 o(inverse * glm::dvec4(ray.origin, 1.0)), d(inverse * glm::dvec4(ray.direction, 0.0));
-        Hit hit;
-        dvec3 normal(0.0, 0.0, 1.0);
-        if (kind == sphere) {
-            const double a = glm::dot(d, d), b = glm::dot(o, d), c = glm::dot(o, o) - 1.0;
-            if (b * b < a * c) return std::nullopt;
-            hit.depth = (-b - std::sqrt(b * b - a * c)) / a;
-            normal = o + hit.depth * d;
-        } else {
-            hit.depth = -o.z / d.z;
-            const dvec3 p = o + hit.depth * d;
-            if (std::max(std::abs(p.x), std::abs(p.y)) > 1.0) return std::nullopt;
-        }
-        hit.normal = glm::normalize(glm::transpose(glm::dmat3(inverse)) * normal);
-        if (glm::dot(hit.normal, ray.direction) > 0.0) {
-            if (!double_sided) return std::nullopt;
-            hit.normal = -hit.normal;
-        }
-        return hit;
+struct GoochTones {
+    dvec3 cool, warm;
+
+    /// Equation 3.
+    GoochTones(const Gooch& gooch, const dvec3& k_d)
+        : cool(dvec3(0.0, 0.0, double(gooch.b)) + double(gooch.alpha) * k_d),
+          warm(dvec3(double(gooch.y), double(gooch.y), 0.0) + double(gooch.beta) * k_d) {
+        if (gooch.printed_equation) std::swap(cool, warm);
     }
 };
 
-/// The nearest hit of every pixel, row by row from the top.
-inline std::vector<Hit> cast_all(const std::vector<CastObject>& objects, const RayCamera& camera, Canvas canvas) {
-    std::vector<Hit> hits;
-    for (int row = 0; row < canvas.height; ++row)
-        for (int column = 0; column < canvas.width; ++column) {
-            Hit nearest;
-            for (std::size_t i = 0; i < objects.size(); ++i) {
-                std::optional<Hit> hit = objects[i].cast(camera.ray(column, row));
-                if (!hit || hit->depth >= nearest.depth) continue;
-                nearest = *hit;
-                nearest.object = static_cast<int>(i) + 1;
-            }
-            hits.push_back(nearest);
-        }
-    return hits;
-}
-
-/// Whether all pixels within 2 of this one show the same object: whether it is away from every outline.
-inline bool away_from_outlines(const std::vector<Hit>& hits, Canvas canvas, int column, int row) {
-    const auto object = [&](int x, int y) { return hits[static_cast<std::size_t>(y * canvas.width + x)].object; };
-    for (int y = std::max(0, row - 2); y <= std::min(canvas.height - 1, row + 2); ++y)
-        for (int x = std::max(0, column - 2); x <= std::min(canvas.width - 1, column + 2); ++x)
-            if (object(x, y) != object(column, row)) return false;
-    return true;
-}
-
-/// Equations 2 and 3 of Gooch 1998 with the warm tone on the lit side, or as printed; then Phong's highlight.
-inline dvec3 gooch_color(const Gooch& gooch, const dvec3& k_d, const dvec3& n, const dvec3& l, const dvec3& to_eye) {
-    const dvec3 cool = dvec3(0.0, 0.0, double(gooch.b)) + double(gooch.alpha) * k_d;
-    const dvec3 warm = dvec3(double(gooch.y), double(gooch.y), 0.0) + double(gooch.beta) * k_d;
-    const double weight = 0.5 * (1.0 + glm::dot(l, n));
-    const dvec3 tone =
-        gooch.printed_equation ? weight * cool + (1.0 - weight) * warm : weight * warm + (1.0 - weight) * cool;
+inline double phong_term(const Gooch& gooch, const dvec3& n, const dvec3& l, const dvec3& to_eye) {
     const dvec3 mirrored = 2.0 * glm::dot(l, n) * n - l;
-    const double phong = std::pow(std::max(0.0, glm::dot(mirrored, glm::normalize(to_eye))), double(gooch.shininess));
-    const double share = double(gooch.highlight) * phong;
-    return (1.0 - share) * tone + share * dvec3(1.0);
+    return std::pow(std::max(0.0, glm::dot(mirrored, glm::normalize(to_eye))), double(gooch.shininess));
+}
+
+/// Equation 2 with the warm tone on the lit side, or as printed; then the highlights.
+inline dvec3 tone_color(const Gooch& gooch, const dvec3& k_d, const dvec3& n, const dvec3& to_eye,
+                        const std::vector<Arriving>& lights) {
+    double total = 0.0, warmth = 0.0, through = 1.0, shares = 0.0;
+    dvec3 shine(0.0);
+    for (const Arriving& light : lights) {
+        total += light.strength();
+        warmth += light.strength() * 0.5 * (1.0 + glm::dot(light.l, n));
+        const double phong = double(gooch.highlight) * phong_term(gooch, n, light.l, to_eye);
+        shine += phong * light.reach * light.color;
+        shares += phong * light.strength();
+        through *= 1.0 - phong * light.strength();
+    }
+    const double weight = warmth / std::max(1.0, total);
+    const GoochTones tones(gooch, k_d);
+    const dvec3 tone = weight * tones.warm + (1.0 - weight) * tones.cool;
+    return shares > 0.0 ? through * tone + (1.0 - through) * shine / shares : tone;
+}
+
+/// Section 4.4 with one light, and what a pipeline shows that sets negative colours of lights to 0.
+inline dvec3 two_light_color(const Gooch& gooch, const dvec3& k_d, const dvec3& n, const dvec3& l) {
+    const GoochTones tones(gooch, k_d);
+    dvec3 color = (tones.cool + tones.warm) / 2.0;
+    const dvec3 lights[] = {(tones.warm - tones.cool) / 2.0, (tones.cool - tones.warm) / 2.0};
+    for (int i = 0; i < 2; ++i) {
+        const dvec3 light = gooch.clamp_lights ? glm::max(lights[i], dvec3(0.0)) : lights[i];
+        color += std::max(0.0, i == 0 ? glm::dot(l, n) : glm::dot(-l, n)) * light;
+    }
+    return color;
+}
+
+/// Equation 1, and Phong's highlights.
+inline dvec3 phong_color(const Gooch& gooch, const dvec3& k_d, const dvec3& n, const dvec3& to_eye,
+                         const std::vector<Arriving>& lights) {
+    dvec3 color = double(gooch.diffuse) * double(gooch.ambient) * k_d;
+    for (const Arriving& light : lights)
+        color += light.reach * light.color *
+                 (double(gooch.diffuse) * k_d * std::max(0.0, glm::dot(light.l, n)) +
+                  double(gooch.highlight) * phong_term(gooch, n, light.l, to_eye));
+    return color;
+}
+
+/// With one white light that reaches everything.
+inline dvec3 gooch_color(const Gooch& gooch, const dvec3& k_d, const dvec3& n, const dvec3& l, const dvec3& to_eye) {
+    return tone_color(gooch, k_d, n, to_eye, {{l, 1.0, dvec3(1.0)}});
 }
 
 } // namespace hachure::test

@@ -57,6 +57,21 @@ TEST_F(LightTest, AWorldLightShinesAlongItsMinusZWhateverTheCameraDoes) {
     EXPECT_EQ(light.outer_cone, 0.3f);
 }
 
+TEST_F(LightTest, DirectionalLightMayTurnWithTheGaze) {
+    const Entity light = spawn_default_light(world);
+    world.create_with(Transform{.translation = {9, 1, 4}, .rotation = glm::angleAxis(0.7f, glm::vec3(0, 1, 0))},
+                      Camera{});
+    const ShadingLight on_camera = lights().at(0);
+    const std::uint64_t key = world.resource<LightList>().key();
+    EXPECT_FALSE(on_camera.gaze);
+    world.get_mutable<Light>(light).rig = LightRig::gaze;
+    EXPECT_TRUE(lights().at(0).gaze);
+    EXPECT_NE(world.resource<LightList>().key(), key);
+    EXPECT_EQ(lights()[0].position, on_camera.position) << "on the camera's axis it is the same";
+    world.get_mutable<Light>(light).kind = LightKind::point;
+    EXPECT_FALSE(lights().at(0).gaze) << "a place has no direction to turn";
+}
+
 TEST_F(LightTest, TheStrongestIsFirstAndWhite) {
     world.create_with(Transform{}, Light{.color = {1, 0, 0}, .intensity = 10.0f});
     world.create_with(Transform{}, Light{.color = {0, 1, 0}, .intensity = 40.0f});

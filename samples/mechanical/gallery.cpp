@@ -1,0 +1,54 @@
+#include "gallery.h"
+
+#include <hachure/components/animation.h>
+#include <hachure/components/edge_lines.h>
+#include <hachure/components/gooch.h>
+#include <hachure/components/surface.h>
+#include <hachure/systems/styles/style.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+using namespace hachure;
+
+namespace {
+
+/// A built-in style, with lines of that width.
+void dress_in(App& app, const SpawnedModel& model, const char* style, float line_width) {
+    apply_style(app.world(), find_style(app.types(), style), model.root);
+    for (const Entity surface : model.surfaces)
+        if (EdgeLines* lines = app.world().find_mutable<EdgeLines>(surface)) lines->width = line_width;
+}
+
+void stand_still_walking(App& app, const SpawnedModel& model) {
+    for (const std::string_view clip : {"Walking_A", "Walk", "Run"})
+        if (std::ranges::find(model.clips, clip) != model.clips.end())
+            return static_cast<void>(app.world().add(
+                model.root, Animation{.clip = std::string(clip), .playing = false, .offset = 0.25f, .fade = 0.0f}));
+}
+
+} // namespace
+
+std::vector<Cell> gallery(const assets::Model& character, const assets::Model& statue, const assets::Model& part) {
+    const glm::quat half_profile = glm::angleAxis(0.2f, glm::vec3(1, 0, 0)) * glm::angleAxis(0.6f, glm::vec3(0, 1, 0));
+    const auto in_style = [](const char* style) {
+        return [style](App& app, const SpawnedModel& model, float width) {
+            dress_in(app, model, style, width);
+            stand_still_walking(app, model);
+        };
+    };
+    std::vector<Cell> cells = {{&character, "cool to warm tones", in_style("gooch"), half_profile, 1.0f},
+                               {&character, "toon", in_style("toon"), half_profile, 1.0f},
+                               {&statue, "tones and edge lines", in_style("gooch"), half_profile},
+                               {&statue, "edge lines alone",
+                                [](App& app, const SpawnedModel& model, float width) {
+                                    for (const Entity surface : model.surfaces) {
+                                        app.world().get_mutable<Surface>(surface).tint = glm::vec3(1.0f);
+                                        app.world().add(surface, EdgeLines{.width = width});
+                                    }
+                                },
+                                half_profile}};
+    std::ranges::move(figure_10(part), std::back_inserter(cells));
+    return cells;
+}

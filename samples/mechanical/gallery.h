@@ -1,0 +1,12 @@
+#pragma once
+
+#include <hachure/runtime/assets/model.h>
+
+#include <vector>
+
+#include "figure.h"
+
+/// What the renderer does, in two rows: a character in tones and in toon, a statue in tones and in lines alone; below
+/// them figure 10. `character` stands in the middle of its walk, where it has a clip of that name.
+std::vector<Cell> gallery(const hachure::assets::Model& character, const hachure::assets::Model& statue,
+                          const hachure::assets::Model& part);

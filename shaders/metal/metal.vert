@@ -1,0 +1,29 @@
+#version 450 core
+// Hands on what stripes of metal are counted by; systems/metal/metal_surface.h sets it up.
+#include "surface/vertex.glsl"
+
+#ifdef AROUND_AXIS
+uniform mat3 axis_from_entity; // its third row runs along the axis
+uniform vec3 axis_point;
+out vec2 about_axis;           // place in the plane across the axis
+#else
+layout(location = 6) in float in_coordinate; // sets
+layout(location = 7) in vec4 in_frame;       // where the coordinate rises, and radians that the normal turns per set
+layout(location = 8) in float in_weight;
+out float coordinate;
+out vec3 world_across;
+out float turning;
+out float weight;
+#endif
+
+void main() {
+    place_vertex();
+#ifdef AROUND_AXIS
+    about_axis = (axis_from_entity * (in_position - axis_point)).xy;
+#else
+    coordinate = in_coordinate;
+    world_across = world_from_normal * in_frame.xyz;
+    turning = in_frame.w;
+    weight = in_weight;
+#endif
+}
