@@ -13,6 +13,7 @@
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
+#include <hachure/systems/toon/toon.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/systems/velocity/velocity.h>
 
@@ -31,6 +32,7 @@ void register_capabilities(App& app) {
     register_light(app);
     register_surface(app);
     register_gooch(app);
+    register_toon(app);
     register_edge_lines(app);
     register_compose(app);
     register_velocity(app);

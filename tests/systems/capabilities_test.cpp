@@ -13,6 +13,7 @@
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
+#include <hachure/systems/toon/toon.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/systems/velocity/velocity.h>
 
@@ -64,7 +65,7 @@ constexpr Capability capabilities[] = {
     {"surface", register_surface},     {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
     {"compose", register_compose},     {"animation", register_animation}, {"deform", register_deform},
     {"velocity", register_velocity},   {"curvature", register_curvature}, {"timeline", register_timeline},
-    {"script", register_script},
+    {"script", register_script},       {"toon", register_toon},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -89,7 +90,9 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_THAT(names_in(app, Stage::light), ElementsAre("camera", "light"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "gooch.claim"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "edge_lines.select"));
-    EXPECT_THAT(names_in(app, Stage::render), ElementsAre("deform.pass", "surface.passes", "gooch.pass",
+    EXPECT_LT(place(app, "gooch.claim"), place(app, "toon.claim"));
+    EXPECT_LT(place(app, "deform"), place(app, "toon.normals"));
+    EXPECT_THAT(names_in(app, Stage::render), ElementsAre("deform.pass", "surface.passes", "gooch.pass", "toon.pass",
                                                           "edge_lines.pass", "velocity.pass", "compose.passes"));
 }
 
