@@ -33,6 +33,8 @@ enum class AbstractedShape { smoothed, ellipsoid, sphere, cylinder };
 struct Toon {
     std::int32_t bands = 3;
     float wrap = 0.5f;
+    float dark_edge = 0.1f;
+    float light_edge = 0.37f;
     float softness = 0.0f;
     glm::vec3 light{1.0f};
     glm::vec3 shade{0.36f, 0.33f, 0.52f};
@@ -68,6 +70,12 @@ inline void reflect(TypeBuilder<Toon>& type) {
     type.field("bands", &Toon::bands).doc("how many tones from shade to light").range(1, 16);
     type.field("wrap", &Toon::wrap)
         .doc("how far light reaches round: it ends where the cosine to the light is -wrap")
+        .range(0, 1);
+    type.field("dark_edge", &Toon::dark_edge)
+        .doc("light below which the darkest tone lies; 1 is that of one light straight on")
+        .range(0, 1);
+    type.field("light_edge", &Toon::light_edge)
+        .doc("light from which on the lightest does; edges between are spaced evenly, and one alone is in the middle")
         .range(0, 1);
     type.field("softness", &Toon::softness)
         .doc("width of the change from a tone to the next, as a part of the whole scale; 0 for a sharp one")

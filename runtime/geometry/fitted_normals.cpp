@@ -91,10 +91,10 @@ void FittedNormalsJob::validate() const {
 
 void FittedNormalsJob::run() {
     const SurfaceMoments moments = surface_moments(positions, indices);
-    // A flat surface is the ellipsoid of a plate: a thousandth of its width thick.
+    // A flat surface is the ellipsoid of a plate: a hundredth of its width thick.
     glm::dvec3 scale(1.0);
     if (shape == FittedShape::ellipsoid)
-        scale = 1.0 / glm::max(moments.variances, glm::dvec3(1e-6 * moments.variances[0] + 1e-300));
+        scale = 1.0 / glm::max(moments.variances, glm::dvec3(1e-4 * moments.variances[0] + 1e-300));
     if (shape == FittedShape::cylinder) scale[0] = 0.0;
     for (std::size_t v = 0; v < fitted.size(); ++v) {
         const glm::dvec3 away = glm::dvec3(positions[v]) - moments.center;
@@ -102,7 +102,7 @@ void FittedNormalsJob::run() {
         const glm::dvec3 along = glm::transpose(moments.axes) * away;
         const glm::dvec3 normal = moments.axes * (along * (scale / std::max({scale.x, scale.y, scale.z})));
         const double size = glm::length(normal);
-        fitted[v] = size > 1e-9 * glm::length(away) && size > 0.0 ? glm::vec3(normal / size) : normals[v];
+        fitted[v] = size > 1e-5 * glm::length(away) ? glm::vec3(normal / size) : normals[v];
     }
 }
 

@@ -30,20 +30,24 @@ vec3 tone_color(float tone, float width, float detail) {
     return mix(ramp_mean(low, high, row), ramp_mean(low, high, min(row + 1, rows - 1)), y - float(row));
 }
 #else
-const int MAX_BANDS = 16;
-uniform int bands;
+#ifdef SOFT
 uniform float softness;
-uniform vec3 band_colors[MAX_BANDS]; // from the darkest to the lightest
+#else
+const float softness = 0.0;
+#endif
+uniform vec3 band_colors[BANDS]; // from the darkest to the lightest
+uniform float band_edges[BANDS]; // where band i begins; that of band 0 is not looked at
+uniform float middle_edge;
 
-// Bands are of one width at full detail. Down to half of it their edges move together to the middle of the scale,
-// which leaves light and shade; from there on the shade fades.
+// Down to half of the detail the edges of bands move together to their middle, which leaves light and shade; from there
+// on the shade fades.
 vec3 tone_color(float tone, float width, float detail) {
     float apart = clamp(2.0 * detail - 1.0, 0.0, 1.0);
     vec3 color = band_colors[0];
-    for (int i = 1; i < bands; ++i) {
-        float edge = mix(0.5, float(i) / float(bands), apart);
+    for (int i = 1; i < BANDS; ++i) {
+        float edge = mix(middle_edge, band_edges[i], apart);
         color += filtered_step(tone - edge, width, softness) * (band_colors[i] - band_colors[i - 1]);
     }
-    return mix(band_colors[bands - 1], color, min(2.0 * detail, 1.0));
+    return mix(band_colors[BANDS - 1], color, min(2.0 * detail, 1.0));
 }
 #endif

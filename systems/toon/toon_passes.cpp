@@ -18,7 +18,7 @@
 namespace hachure {
 namespace {
 
-constexpr std::size_t max_bands = 16; ///< as in tones.glsl and the range of Toon::bands
+constexpr std::size_t max_bands = 16; ///< as in the range of Toon::bands
 constexpr unsigned ramp_unit = SurfaceShading::first_free_unit;
 constexpr unsigned normals_unit = ramp_unit + 1;
 constexpr int normals_columns = 1024;
@@ -34,10 +34,17 @@ glm::vec3 focus_of(const World& world, const Toon& toon) {
     return place ? glm::vec3(place->matrix[3]) : toon.focus_point;
 }
 
+std::size_t band_count(const Toon& toon) {
+    return static_cast<std::size_t>(std::clamp(toon.bands, 1, static_cast<std::int32_t>(max_bands)));
+}
+
 void add_defines(const World& world, Entity entity, std::vector<gpu::ShaderDefine>& defines) {
     const Toon& toon = world.get<Toon>(entity);
     defines.push_back({"DETAIL", std::to_string(static_cast<int>(toon.detail))});
-    if (!toon.ramp.empty()) {
+    if (toon.ramp.empty()) {
+        defines.push_back({"BANDS", std::to_string(band_count(toon))});
+        if (toon.softness > 0.0f) defines.push_back({"SOFT", ""});
+    } else {
         defines.push_back({"RAMP", ""});
         if (toon.ramp_use == RampUse::replace) defines.push_back({"RAMP_REPLACES", ""});
     }
@@ -49,7 +56,7 @@ void add_defines(const World& world, Entity entity, std::vector<gpu::ShaderDefin
 /// From shade to light in even steps to the eye, which judges ratios: each colour is the one before times the same.
 void set_bands(const Toon& toon, gpu::Program& program) {
     std::array<glm::vec3, max_bands> colors{};
-    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(toon.bands, 1)), 1, max_bands);
+    const std::size_t count = band_count(toon);
     for (std::size_t i = 0; i < count; ++i) {
         const float part = count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 1.0f;
         colors[i] = i + 1 == count
@@ -57,8 +64,15 @@ void set_bands(const Toon& toon, gpu::Program& program) {
                         : glm::pow(toon.shade, glm::vec3(1.0f - part)) * glm::pow(toon.light, glm::vec3(part));
         if (i == 0 && count > 1) colors[i] = toon.shade;
     }
-    program.set("bands", static_cast<int>(count));
-    program.set("band_colors", std::span<const glm::vec3>(colors));
+    std::array<float, max_bands> edges{};
+    const float middle = 0.5f * (toon.dark_edge + toon.light_edge);
+    for (std::size_t i = 1; i < count; ++i)
+        edges[i] = count == 2 ? middle
+                              : toon.dark_edge + static_cast<float>(i - 1) / static_cast<float>(count - 2) *
+                                                     (toon.light_edge - toon.dark_edge);
+    program.set("band_edges", std::span<const float>(edges.data(), count));
+    program.set("middle_edge", middle);
+    program.set("band_colors", std::span<const glm::vec3>(colors.data(), count));
 }
 
 void set_uniforms(const World& world, Entity entity, gpu::Program& program) {
@@ -72,8 +86,7 @@ void set_uniforms(const World& world, Entity entity, gpu::Program& program) {
     if (toon.detail == ToonDetail::focus) program.set("detail_focus", focus_of(world, toon));
     program.set("rim", toon.rim);
     program.set("rim_width", toon.rim_width);
-    const float darkest = toon.ramp.empty() && toon.bands > 1 ? 1.0f / static_cast<float>(toon.bands) : 0.5f;
-    program.set("rim_edge", toon.rim_lit_only ? darkest : -1e6f);
+    program.set("rim_edge", toon.rim_lit_only ? toon.dark_edge : -1e6f);
     program.set("rim_color", toon.rim_color);
     program.set("specular", toon.specular);
     program.set("specular_size", toon.specular_size);

@@ -24,5 +24,5 @@ def tone(x, detail):
     return mix((255, 250, 238), tones[sum(x >= edge for edge in edges)], min(1.0, 1.5 * detail))
 
 
-columns, rows = 64, 16
+columns, rows = 512, 128
 write_png("x_toon.png", [[tone((x + 0.5) / columns, 1.0 - y / (rows - 1)) for x in range(columns)] for y in range(rows)])

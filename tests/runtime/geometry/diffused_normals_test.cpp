@@ -122,8 +122,10 @@ TEST(DiffusedNormals, SeamsAndHardEdgesAreOneSurface) {
     // Corners average three faces, of which one may have two triangles there.
     for (std::size_t i = 0; i < normals.size(); ++i) {
         EXPECT_LT(angle(normals[i], glm::normalize(box.positions[i])), 0.4) << i;
-        for (std::size_t j = 0; j < i; ++j)
-            if (box.positions[i] == box.positions[j]) EXPECT_EQ(normals[i], normals[j]);
+        for (std::size_t j = 0; j < i; ++j) {
+            if (box.positions[i] != box.positions[j]) continue;
+            EXPECT_EQ(normals[i], normals[j]);
+        }
     }
 }
 

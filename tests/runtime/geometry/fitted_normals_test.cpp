@@ -67,7 +67,7 @@ TEST(SurfaceMoments, DoNotDependOnTheTriangles) {
 
 TEST(FittedNormals, OfASphereAndACylinderAreTheirOwn) {
     const Shape ball = placed(icosphere(2.0, 3), glm::dvec3(1.0), turn, move);
-    EXPECT_LT(worst_angle(fitted(ball, FittedShape::sphere, ball.normals), ball.normals), 1e-4);
+    EXPECT_LT(worst_angle(fitted(ball, FittedShape::sphere, ball.normals), ball.normals), 1e-3);
     EXPECT_LT(worst_angle(fitted(ball, FittedShape::ellipsoid, ball.normals), ball.normals), 0.02);
     Shape tube = cylinder(0.5, 4.0, 64);
     std::vector<glm::vec3> radial;
@@ -82,7 +82,7 @@ TEST(FittedNormals, OfASphereAndACylinderAreTheirOwn) {
 /// Exact only for the sphere: areas of an ellipsoid's surface lie more where it is flat.
 TEST(FittedNormals, OfAnEllipsoidAreNearlyItsOwn) {
     const Shape egg = placed(icosphere(1.0, 4), {2.0, 1.2, 1.0}, turn, move);
-    EXPECT_LT(worst_angle(fitted(egg, FittedShape::ellipsoid, egg.normals), egg.normals), 0.12);
+    EXPECT_LT(worst_angle(fitted(egg, FittedShape::ellipsoid, egg.normals), egg.normals), 0.15);
     EXPECT_GT(worst_angle(fitted(egg, FittedShape::sphere, egg.normals), egg.normals), 0.3);
 }
 

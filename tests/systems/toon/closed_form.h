@@ -146,8 +146,11 @@ inline dvec3 tone_color(const Toon& toon, int number) {
 inline dvec3 banded(const Toon& toon, double tone, double width, double detail) {
     const double apart = std::clamp(2.0 * detail - 1.0, 0.0, 1.0);
     std::vector<double> above{1.0};
-    for (int i = 1; i < toon.bands; ++i)
-        above.push_back(part_above(tone, 0.5 + (double(i) / toon.bands - 0.5) * apart, width, toon.softness));
+    const double dark = toon.dark_edge, light = toon.light_edge, middle = 0.5 * (dark + light);
+    for (int i = 1; i < toon.bands; ++i) {
+        const double edge = toon.bands == 2 ? middle : dark + (light - dark) * (i - 1) / (toon.bands - 2);
+        above.push_back(part_above(tone, middle + (edge - middle) * apart, width, toon.softness));
+    }
     above.push_back(0.0);
     dvec3 sum(0.0);
     for (int i = 0; i < toon.bands; ++i)
