@@ -14,6 +14,7 @@
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
+#include <hachure/systems/toon/toon.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/systems/velocity/velocity.h>
 
@@ -33,6 +34,7 @@ void register_capabilities(App& app) {
     register_surface(app);
     register_gooch(app);
     register_metal(app);
+    register_toon(app);
     register_edge_lines(app);
     register_compose(app);
     register_velocity(app);

@@ -4,6 +4,7 @@
 #include <hachure/components/scene.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/ecs/component_json.h>
+#include <hachure/runtime/scene/file_fields.h>
 #include <hachure/runtime/scene/scene_parts.h>
 #include <hachure/systems/convert/entity_extras.h>
 
@@ -102,8 +103,7 @@ json EntityExtras::value(const FieldInfo& field, const FieldValue& value) const 
         warnings_.push_back(field.path + " is left out: it is an entity without a name");
         return nullptr;
     }
-    if (field.kind == FieldKind::text && field.unit == "file")
-        return relative(what_.scene.parent_path() / std::get<std::string>(value));
+    if (is_file_field(field)) return relative(what_.scene.parent_path() / std::get<std::string>(value));
     return to_json(field, value);
 }
 

@@ -1,5 +1,6 @@
 #include <hachure/runtime/assets/path_rules.h>
 #include <hachure/runtime/error.h>
+#include <hachure/runtime/scene/file_fields.h>
 #include <hachure/systems/model/extra_fields.h>
 
 #include <nlohmann/json.hpp>
@@ -46,7 +47,7 @@ FieldValues ExtraFields::read_one(const TypeInfo& type, const std::string& name,
                         place.pointer + "/" + name);
         return {{field, entity}};
     }
-    if (text && field->kind == FieldKind::text && field->unit == "file" && !text->empty())
+    if (text && is_file_field(*field) && !text->empty())
         return {{field, assets::resolve_beside(file_, *text, place.pointer + "/" + name).string()}};
     return fields_from_json(type, {{name, field ? as_the_field_has_it(*field, value) : value}}, place);
 }

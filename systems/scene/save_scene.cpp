@@ -7,6 +7,7 @@
 #include <hachure/runtime/assets/json_text.h>
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
+#include <hachure/runtime/scene/file_fields.h>
 #include <hachure/runtime/scene/scene_parts.h>
 #include <hachure/systems/scene/save_scene.h>
 #include <hachure/systems/scene/scene_fields.h>

@@ -1,4 +1,5 @@
 #include <hachure/runtime/error.h>
+#include <hachure/runtime/scene/file_fields.h>
 #include <hachure/systems/scene/scene_faults.h>
 
 #include <fmt/format.h>
@@ -35,6 +36,12 @@ void SceneFaults::warn(std::string line) {
         warnings_.push_back(std::move(line));
     else
         ++untold_;
+}
+
+const std::string& SceneFaults::file_fault(const FieldInfo& field, const std::string& file) {
+    const auto [entry, added] = looked_at_.try_emplace(field.unit + "\n" + file);
+    if (added) entry->second = hachure::file_fault(field, file);
+    return entry->second;
 }
 
 std::vector<std::string> SceneFaults::warnings() const {

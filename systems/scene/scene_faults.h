@@ -1,10 +1,12 @@
 #pragma once
 
+#include <hachure/runtime/ecs/field_info.h>
 #include <hachure/systems/scene/scene_file.h>
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -36,6 +38,9 @@ public:
     void warn(const SceneFile& file, std::string_view pointer, std::string_view text);
     void warn(std::string line);
 
+    /// What is wrong with a file that a field names (`file_fault`), looked at once.
+    const std::string& file_fault(const FieldInfo& field, const std::string& file);
+
     [[nodiscard]] const std::vector<SceneFault>& faults() const { return faults_; }
 
     /// One line each.
@@ -49,6 +54,7 @@ private:
     std::vector<SceneFault> faults_;
     std::vector<std::string> warnings_;
     std::unordered_set<std::string> told_; ///< a scene that is referred to many times says the same many times
+    std::unordered_map<std::string, std::string> looked_at_; ///< what is wrong with files, by unit and path
     std::size_t untold_ = 0;
 };
 

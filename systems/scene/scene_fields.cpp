@@ -2,6 +2,7 @@
 #include <hachure/runtime/assets/json_place.h>
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
+#include <hachure/runtime/scene/file_fields.h>
 #include <hachure/systems/scene/scene_fields.h>
 
 #include <utility>
@@ -19,8 +20,11 @@ void read_field(const FieldInfo& field, const json& value, const SceneFile& file
     }
     try {
         FieldValue read = field_from_json(field, value);
-        if (auto* path = std::get_if<std::string>(&read); path && is_file_field(field) && !path->empty())
+        if (auto* path = std::get_if<std::string>(&read); path && is_file_field(field) && !path->empty()) {
             *path = file.resolve(*path).string();
+            if (const std::string& wrong = faults.file_fault(field, *path); !wrong.empty())
+                faults.fault(file, pointer + "/" + field.name, wrong);
+        }
         said.fields.emplace_back(&field, std::move(read));
     } catch (const Error& error) {
         faults.fault(file, pointer + "/" + field.name, error.what());
@@ -37,8 +41,6 @@ const TypeInfo* SceneTypes::find(std::string_view name) const {
     const auto found = by_name_.find(name);
     return found != by_name_.end() ? found->second : nullptr;
 }
-
-bool is_file_field(const FieldInfo& field) { return field.kind == FieldKind::text && field.unit == "file"; }
 
 bool read_component(const TypeInfo& type, const json& value, const SceneFile& file, const std::string& pointer,
                     SceneFaults& faults, SaidComponent& said, json* unknown) {

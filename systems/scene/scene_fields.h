@@ -41,9 +41,6 @@ private:
     std::unordered_map<std::string_view, const TypeInfo*> by_name_;
 };
 
-/// Whether the field is a path of a file: a text whose unit is "file".
-[[nodiscard]] bool is_file_field(const FieldInfo& field);
-
 /// Reads a component's value: null, or an object of fields; of the name also just the text. Unknown fields are put into
 /// `unknown` and warned of. False where the value as a whole is none.
 bool read_component(const TypeInfo& type, const nlohmann::json& value, const SceneFile& file,

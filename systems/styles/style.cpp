@@ -4,6 +4,7 @@
 #include <hachure/runtime/assets/text_file.h>
 #include <hachure/runtime/ecs/component_json.h>
 #include <hachure/runtime/error.h>
+#include <hachure/runtime/scene/file_fields.h>
 #include <hachure/systems/model/model_extras.h>
 #include <hachure/systems/styles/style.h>
 
@@ -76,7 +77,8 @@ private:
         const JsonPlace place{text_.subject(), pointer, [this](std::string_view at) { return text_.where(at); }};
         const auto read_some = [&](const json& some) {
             try {
-                const FieldValues read = fields_from_json(type, some, place);
+                FieldValues read = fields_from_json(type, some, place);
+                for (auto& [field, value] : read) find_file(*field, value, pointer);
                 result.insert(result.end(), read.begin(), read.end());
             } catch (const Error& error) {
                 report_(error);
@@ -87,6 +89,15 @@ private:
         else
             for (const auto& [name, value] : fields.items()) read_some({{name, value}});
         return result;
+    }
+
+    /// Paths of files are relative to the folder of the style's.
+    void find_file(const FieldInfo& field, FieldValue& value, const std::string& pointer) {
+        auto* path = std::get_if<std::string>(&value);
+        if (!path || path->empty() || !is_file_field(field)) return;
+        *path = (std::filesystem::path(text_.subject()).parent_path() / *path).lexically_normal().string();
+        if (const std::string wrong = file_fault(field, *path); !wrong.empty())
+            fault(pointer + "/" + field.name, wrong);
     }
 
     const TypeRegistry& types_;

@@ -14,6 +14,7 @@
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
+#include <hachure/systems/toon/toon.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/systems/velocity/velocity.h>
 
@@ -65,7 +66,7 @@ constexpr Capability capabilities[] = {
     {"surface", register_surface},     {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
     {"compose", register_compose},     {"animation", register_animation}, {"deform", register_deform},
     {"velocity", register_velocity},   {"curvature", register_curvature}, {"timeline", register_timeline},
-    {"script", register_script},       {"metal", register_metal},
+    {"script", register_script},       {"metal", register_metal},         {"toon", register_toon},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -92,8 +93,11 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_LT(place(app, "surface.collect"), place(app, "metal.claim"));
     EXPECT_LT(place(app, "gooch.claim"), place(app, "metal.claim"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "edge_lines.select"));
-    EXPECT_THAT(names_in(app, Stage::render), ElementsAre("deform.pass", "surface.passes", "gooch.pass", "metal.pass",
-                                                          "edge_lines.pass", "velocity.pass", "compose.passes"));
+    EXPECT_LT(place(app, "metal.claim"), place(app, "toon.claim"));
+    EXPECT_LT(place(app, "deform"), place(app, "toon.normals"));
+    EXPECT_THAT(names_in(app, Stage::render),
+                ElementsAre("deform.pass", "surface.passes", "gooch.pass", "metal.pass", "toon.pass", "edge_lines.pass",
+                            "velocity.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <hachure/components/toon.h>
+#include <hachure/runtime/ecs/world.h>
+#include <hachure/runtime/gpu/program.h>
+#include <hachure/runtime/gpu/texture.h>
+#include <hachure/systems/toon/toon_ramps.h>
+
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace hachure {
+
+struct DrawItem;
+struct RenderContext;
+
+/// Draws the items that "toon" has claimed, and keeps what that needs on the GPU: ramps and abstracted normals.
+class ToonPasses {
+public:
+    static constexpr std::string_view name = "toon";
+
+    /// Throws Error for a ramp that can't be read.
+    void declare(World& world);
+
+private:
+    struct Normals {
+        gpu::Texture texture;
+        std::uint64_t version = 0;
+    };
+
+    void read_ramps(const World& world, const std::vector<Entity>& drawn);
+    void bind(const World& world, const DrawItem& item);
+    void forget_all_but(const std::vector<Entity>& drawn);
+
+    ToonRamps ramps_;
+    std::unordered_map<Entity, Normals> normals_;
+};
+
+} // namespace hachure
