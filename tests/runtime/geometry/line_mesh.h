@@ -32,21 +32,15 @@ struct LineMesh {
     explicit LineMesh(const Shape& shape, bool with_curvature = false)
         : LineMesh(shape.positions, shape.indices, with_curvature) {}
 
-    /// All primitives of a file, each a material of its own.
-    static LineMesh read(const std::filesystem::path& file) {
-        std::vector<glm::vec3> p;
-        std::vector<std::uint32_t> i, materials;
-        for (const assets::Mesh& mesh : assets::read_model(file).meshes)
-            for (const assets::Primitive& part : mesh.primitives) {
-                const auto first = static_cast<std::uint32_t>(p.size());
-                p.insert(p.end(), part.positions.begin(), part.positions.end());
-                for (const std::uint32_t index : part.indices) i.push_back(first + index);
-                const std::uint32_t material = materials.empty() ? 0u : materials.back() + 1;
-                materials.insert(materials.end(), part.indices.size() / 3, material);
-            }
-        LineMesh result(std::move(p), std::move(i));
-        result.face_materials = std::move(materials);
-        return result;
+    /// The primitives of a mesh of a file, each a material of its own.
+    explicit LineMesh(const assets::Mesh& mesh) : LineMesh(joined(mesh)) {
+        for (std::size_t part = 0; part < mesh.primitives.size(); ++part)
+            face_materials.insert(face_materials.end(), mesh.primitives[part].indices.size() / 3,
+                                  static_cast<std::uint32_t>(part));
+    }
+
+    [[nodiscard]] static LineMesh read(const std::filesystem::path& file) {
+        return LineMesh(assets::read_model(file).meshes.at(0));
     }
 
     void find_curvature() {
@@ -73,6 +67,17 @@ struct LineMesh {
                 .curvatures = curvatures,
                 .directions = directions,
                 .derivatives = derivatives};
+    }
+
+private:
+    [[nodiscard]] static Shape joined(const assets::Mesh& mesh) {
+        Shape shape;
+        for (const assets::Primitive& part : mesh.primitives) {
+            const auto first = static_cast<std::uint32_t>(shape.positions.size());
+            shape.positions.insert(shape.positions.end(), part.positions.begin(), part.positions.end());
+            for (const std::uint32_t index : part.indices) shape.indices.push_back(first + index);
+        }
+        return shape;
     }
 };
 
