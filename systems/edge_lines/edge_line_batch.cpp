@@ -1,10 +1,10 @@
+#include <hachure/runtime/geometry/creases.h>
+#include <hachure/runtime/geometry/select_edges.h>
 #include <hachure/runtime/gpu/frame_graph_key.h>
 #include <hachure/systems/edge_lines/edge_line_batch.h>
-#include <hachure/systems/edge_lines/select_edges.h>
 
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <unordered_set>
 
@@ -16,13 +16,15 @@ EdgeLineMesh make_edge_mesh(const SurfaceMesh& source) {
     mesh.table = geometry::build_edge_table(source.positions, source.indices);
     mesh.planes.resize(source.indices.size() / 3);
     geometry::face_planes(source.positions, source.indices, mesh.planes);
-    mesh.creases.resize(mesh.table.edges.size(), 0);
     mesh.front.resize(mesh.planes.size());
-    mesh.selected.resize(mesh.table.edges.size());
-    mesh.closed = std::ranges::none_of(mesh.table.edges, [](const geometry::Edge& edge) {
-        return (edge.flags & (geometry::edge_border | geometry::edge_orientation_mismatch)) != 0;
-    });
+    mesh.chosen.resize(mesh.table.edges.size());
+    mesh.closed = geometry::is_closed(mesh.table.edges);
     return mesh;
+}
+
+std::uint32_t wanted_kinds(const EdgeLines& lines) {
+    return (lines.silhouette ? geometry::line_silhouette : 0u) | (lines.crease ? geometry::line_crease : 0u) |
+           (lines.border ? geometry::line_border : 0u);
 }
 
 std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view) {
@@ -54,8 +56,10 @@ void EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const
     EdgeLineMesh& edges = mesh(store, item.mesh);
     const SurfaceMesh& source = store.mesh(item.mesh);
     // Creases are the mesh's own, whatever its shape: they would come and go as a character moves.
-    if (lines.crease && edges.crease_angle != lines.crease_angle) {
-        edges.creases = find_creases(source.positions, edges.table.edges, edges.planes, lines.crease_angle);
+    if (edges.crease_angle != lines.crease_angle) {
+        const std::vector<std::uint8_t> creases =
+            geometry::find_creases(source.positions, edges.table.edges, edges.planes, lines.crease_angle);
+        edges.features = geometry::feature_edges(edges.table.edges, creases, {});
         edges.crease_angle = lines.crease_angle;
     }
     // Lines that a surface was given in this very frame: from the next on, its shape is on the CPU.
@@ -65,20 +69,18 @@ void EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const
         edges.moved_planes.resize(edges.planes.size());
         geometry::face_planes(positions, source.indices, edges.moved_planes);
     }
-    SelectEdgesJob job{.edges = edges.table.edges,
-                       .planes = deformed ? edges.moved_planes : edges.planes,
-                       .creases = edges.creases,
-                       .eye = glm::inverse(item.world_from_entity) * view.eye,
-                       .silhouette = lines.silhouette,
-                       .crease = lines.crease,
-                       .border = lines.border,
-                       .closed = edges.closed,
-                       .front = edges.front,
-                       .selected = edges.selected};
+    geometry::SelectEdgesJob job{.edges = edges.table.edges,
+                                 .planes = deformed ? edges.moved_planes : edges.planes,
+                                 .features = edges.features,
+                                 .eye = glm::inverse(item.world_from_entity) * view.eye,
+                                 .wanted = wanted_kinds(lines),
+                                 .closed = edges.closed,
+                                 .front = edges.front,
+                                 .chosen = edges.chosen};
     job.run();
     batch.segments.clear();
     for (std::size_t i = 0; i < job.count; ++i) {
-        const geometry::Edge& edge = edges.table.edges[edges.selected[i]];
+        const geometry::Edge& edge = edges.table.edges[edges.chosen[i].edge];
         batch.segments.push_back({positions[edge.v0], positions[edge.v1]});
     }
     batch.world_from_entity = item.world_from_entity;

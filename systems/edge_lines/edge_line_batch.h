@@ -3,6 +3,7 @@
 #include <hachure/components/edge_lines.h>
 #include <hachure/runtime/ecs/entity.h>
 #include <hachure/runtime/geometry/edges.h>
+#include <hachure/runtime/geometry/line_kinds.h>
 #include <hachure/runtime/gpu/buffer.h>
 #include <hachure/runtime/gpu/vertex_array.h>
 #include <hachure/runtime/scene/draw_list.h>
@@ -24,10 +25,10 @@ struct EdgeLineMesh {
     geometry::EdgeTable table;
     std::vector<glm::vec4> planes;       ///< of the mesh's own shape
     std::vector<glm::vec4> moved_planes; ///< scratch: of the shape at hand
-    std::vector<std::uint8_t> creases;   ///< of find_creases
-    float crease_angle = -1.0f;          ///< which they were found with; -1 for not yet
-    std::vector<std::uint8_t> front;     ///< scratch of SelectEdgesJob
-    std::vector<std::uint32_t> selected; ///< likewise
+    std::vector<geometry::ChosenEdge> features;
+    float crease_angle = -1.0f;               ///< which they were found with; -1 for not yet
+    std::vector<std::uint8_t> front;          ///< scratch of SelectEdgesJob
+    std::vector<geometry::ChosenEdge> chosen; ///< likewise
     bool closed = false;
 };
 
