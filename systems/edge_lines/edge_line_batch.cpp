@@ -1,8 +1,5 @@
 #include <hachure/runtime/gpu/frame_graph_key.h>
 #include <hachure/systems/edge_lines/edge_line_batch.h>
-#include <hachure/systems/edge_lines/select_edges.h>
-
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -11,91 +8,83 @@
 namespace hachure {
 namespace {
 
-EdgeLineMesh make_edge_mesh(const SurfaceMesh& source) {
-    EdgeLineMesh mesh;
-    mesh.table = geometry::build_edge_table(source.positions, source.indices);
-    mesh.planes.resize(source.indices.size() / 3);
-    geometry::face_planes(source.positions, source.indices, mesh.planes);
-    mesh.creases.resize(mesh.table.edges.size(), 0);
-    mesh.front.resize(mesh.planes.size());
-    mesh.selected.resize(mesh.table.edges.size());
-    mesh.closed = std::ranges::none_of(mesh.table.edges, [](const geometry::Edge& edge) {
-        return (edge.flags & (geometry::edge_border | geometry::edge_orientation_mismatch)) != 0;
-    });
-    return mesh;
-}
-
 std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view) {
     return gpu::key_of(view.key(), item.mesh, item.shape.version, item.world_from_entity, lines.silhouette,
-                       lines.crease, lines.border, lines.crease_angle);
+                       lines.smooth_silhouette, lines.crease, lines.border, lines.material, lines.intersection,
+                       lines.suggestive, lines.crease_angle, lines.width, lines.width_unit);
+}
+
+LineWidth width_on_screen(const EdgeLines& lines, const View& view) {
+    const double half = 0.5 * double(lines.width);
+    switch (lines.width_unit) {
+    case LineWidthUnit::pixels:
+        break;
+    case LineWidthUnit::picture:
+        return {half * view.height / 1000.0, false};
+    case LineWidthUnit::world:
+        // The clip w of a point is its depth in a perspective view and 1 in an orthographic one.
+        return {half / double(view.pixel_size), true};
+    }
+    return {half, false};
+}
+
+void describe_segments(gpu::VertexArray& vertex_array) {
+    const auto attribute = [&](unsigned location, int components, std::size_t offset) {
+        vertex_array.set_attribute(
+            {.location = location, .components = components, .offset = static_cast<unsigned>(offset)});
+    };
+    attribute(0, 4, offsetof(LineSegment, start));
+    attribute(1, 2, offsetof(LineSegment, depth));
+    attribute(2, 2, offsetof(LineSegment, half_width));
+    attribute(3, 2, offsetof(LineSegment, weight));
+    attribute(4, 2, offsetof(LineSegment, arc));
+    attribute(5, 2, offsetof(LineSegment, ends));
 }
 
 } // namespace
 
 void EdgeLineBatch::upload() {
     if (uploaded_ || segments.empty()) return;
-    const std::size_t bytes = segments.size() * sizeof(EdgeSegment);
+    const std::size_t bytes = segments.size() * sizeof(LineSegment);
     if (buffer_.bytes() < bytes) {
         // Room to grow by half: the count changes with every view.
         buffer_ = gpu::Buffer(bytes + bytes / 2, gpu::BufferUsage::dynamic, "edge lines");
         vertex_array = gpu::VertexArray("edge lines");
-        vertex_array.set_attribute({.location = 0, .components = 3, .offset = 0});
-        vertex_array.set_attribute({.location = 1, .components = 3, .offset = offsetof(EdgeSegment, end)});
-        vertex_array.set_vertex_buffer(0, buffer_, sizeof(EdgeSegment), 0, 1);
+        describe_segments(vertex_array);
+        vertex_array.set_vertex_buffer(0, buffer_, sizeof(LineSegment), 0, 1);
     }
-    buffer_.update(std::span<const EdgeSegment>(segments));
+    buffer_.update(std::span<const LineSegment>(segments));
     uploaded_ = true;
 }
 
-void EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const EdgeLines& lines, const View& view) {
+EdgeLineBatch& EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const EdgeLines& lines,
+                                       const View& view) {
     EdgeLineBatch& batch = batches_[item.entity];
     const std::uint64_t key = batch_key(item, lines, view);
-    if (batch.key_ == key) return;
-    EdgeLineMesh& edges = mesh(store, item.mesh);
+    if (batch.key_ == key) return batch;
     const SurfaceMesh& source = store.mesh(item.mesh);
-    // Creases are the mesh's own, whatever its shape: they would come and go as a character moves.
-    if (lines.crease && edges.crease_angle != lines.crease_angle) {
-        edges.creases = find_creases(source.positions, edges.table.edges, edges.planes, lines.crease_angle);
-        edges.crease_angle = lines.crease_angle;
-    }
-    // Lines that a surface was given in this very frame: from the next on, its shape is on the CPU.
-    const bool deformed = item.shape.version != 0 && !item.shape.on_gpu;
-    const std::span<const glm::vec3> positions = deformed ? item.shape.positions : std::span(source.positions);
-    if (deformed) {
-        edges.moved_planes.resize(edges.planes.size());
-        geometry::face_planes(positions, source.indices, edges.moved_planes);
-    }
-    SelectEdgesJob job{.edges = edges.table.edges,
-                       .planes = deformed ? edges.moved_planes : edges.planes,
-                       .creases = edges.creases,
-                       .eye = glm::inverse(item.world_from_entity) * view.eye,
-                       .silhouette = lines.silhouette,
-                       .crease = lines.crease,
-                       .border = lines.border,
-                       .closed = edges.closed,
-                       .front = edges.front,
-                       .selected = edges.selected};
+    EdgeLineMesh& mesh = meshes_.try_emplace(item.mesh, source).first->second;
+    mesh.find_lines(source, item, lines, view, lines_);
+    ProjectLinesJob job{.lines = &lines_,
+                        .clip_from_entity = glm::dmat4(view.clip_from_world) * glm::dmat4(item.world_from_entity),
+                        .viewport = {view.width, view.height},
+                        .width = width_on_screen(lines, view),
+                        .segments = &batch.segments,
+                        .lines_out = &segment_runs_};
     job.run();
-    batch.segments.clear();
-    for (std::size_t i = 0; i < job.count; ++i) {
-        const geometry::Edge& edge = edges.table.edges[edges.selected[i]];
-        batch.segments.push_back({positions[edge.v0], positions[edge.v1]});
-    }
-    batch.world_from_entity = item.world_from_entity;
+    batch.kinds = job.kinds;
+    batch.widest = 0.0f;
+    for (const LineSegment& segment : batch.segments)
+        batch.widest = std::max({batch.widest, segment.half_width.x, segment.half_width.y});
     batch.key_ = key;
     batch.uploaded_ = false;
+    return batch;
 }
 
 void EdgeLineBatches::forget_all_but(std::span<const Entity> drawn) {
     if (batches_.size() == drawn.size()) return;
     const std::unordered_set<Entity> kept(drawn.begin(), drawn.end());
     std::erase_if(batches_, [&](const auto& entry) { return !kept.contains(entry.first); });
-}
-
-EdgeLineMesh& EdgeLineBatches::mesh(const MeshStore& store, std::uint32_t index) {
-    const auto found = meshes_.find(index);
-    if (found != meshes_.end()) return found->second;
-    return meshes_.emplace(index, make_edge_mesh(store.mesh(index))).first->second;
 }
 
 } // namespace hachure
