@@ -59,18 +59,21 @@ private:
                            view_.height * probes_per_pixel});
     }
 
-    void bind_cleared(gpu::TextureHandle target) {
+    void bind_cleared(gpu::TextureHandle target, bool whole) {
         const gpu::Framebuffer& framebuffer = render_.backend->framebuffer({pass_.texture(target)});
         framebuffer.bind();
-        gpu::apply(line_state(gpu::Blend::off));
+        gpu::DrawState state = line_state(gpu::Blend::off);
+        if (whole) state.scissor.reset();
+        gpu::apply(state);
         framebuffer.clear_color(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
     }
 
     /// The first group lies on nothing: it needs no layer of its own.
     void draw_layer(gpu::TextureHandle layer, std::span<const LineGroup> groups) {
-        bind_cleared(layer);
+        // Compose looks at the rectangle alone, who asks for the layer as an AOV at all of it.
+        bind_cleared(layer, !world_.resource<FrameRequests>().aovs.empty());
         for (std::size_t i = 0; i < groups.size(); ++i) {
-            if (i > 0) bind_cleared(data_.coverage);
+            if (i > 0) bind_cleared(data_.coverage, false);
             draw_group(groups[i]);
             if (i > 0) lay_over(layer);
         }

@@ -48,6 +48,28 @@ public:
         return lines;
     }
 
+    void explain(const View& view, const glm::dvec2& pixel) const {
+        const glm::dmat4 clip_from_world(view.clip_from_world);
+        const glm::dvec2 viewport(view.width, view.height);
+        for (const Candidate& edge : edges_) {
+            if (!is_drawn(edge, glm::dvec3(view.eye))) continue;
+            const glm::dvec4 a = clip_from_world * glm::dvec4(edge.start, 1.0),
+                             b = clip_from_world * glm::dvec4(edge.end, 1.0);
+            const glm::dvec2 p = (glm::dvec2(a) / a.w * 0.5 + 0.5) * viewport,
+                             q = (glm::dvec2(b) / b.w * 0.5 + 0.5) * viewport;
+            double t = glm::clamp(glm::dot(pixel - p, q - p) / glm::dot(q - p, q - p), 0.001, 0.999);
+            const double d = glm::distance(pixel, glm::mix(p, q, t));
+            if (d > 0.52) continue;
+            const double s = t * a.w / (t * a.w + (1.0 - t) * b.w);
+            const glm::dvec3 world = glm::mix(edge.start, edge.end, s);
+            const double hit = tree_.first_hit(glm::dvec3(view.eye), world, 1.0, 0.0);
+            const bool f0 = glm::dot(edge.normal0, glm::dvec3(view.eye) - edge.start) > 0.0,
+                   f1 = glm::dot(edge.normal1, glm::dvec3(view.eye) - edge.start) > 0.0;
+            std::printf("    %.2f away, gap %.3g, %s%s%s length %.1f  (%.1f %.1f)-(%.1f %.1f)\n", d, 1.0 - hit, edge.border ? "border " : f0 != f1 ? "silhouette " : "", edge.crease ? "crease " : "",
+                        edge.closed ? "closed" : "open", glm::distance(p, q), p.x, p.y, q.x, q.y);
+        }
+    }
+
 private:
     struct Candidate {
         glm::dvec3 start, end;

@@ -62,11 +62,26 @@ void measure(const std::filesystem::path& file, LineVisibility visibility) {
         if (!finder)
             finder = std::make_unique<ExactLineFinder>(scene.world().resource<DrawList>(),
                                                        scene.world().resource<MeshStore>(), 1.1);
-        const ExactLines exact = finder->find(scene.world().resource<View>());
+        const std::string cache = "/tmp/e2-cache-" + file.stem().string() + "-" + std::to_string(view);
+        ExactLines exact;
+        if (FILE* f = std::fopen(cache.c_str(), "rb")) {
+            std::size_t n[2];
+            (void)!fread(n, 8, 2, f);
+            exact.seen.resize(n[0]); exact.allowed.resize(n[1]);
+            (void)!fread(exact.seen.data(), 16, n[0], f); (void)!fread(exact.allowed.data(), 16, n[1], f);
+            fclose(f);
+        } else {
+            exact = finder->find(scene.world().resource<View>());
+            f = std::fopen(cache.c_str(), "wb");
+            std::size_t n[2] = {exact.seen.size(), exact.allowed.size()};
+            fwrite(n, 8, 2, f); fwrite(exact.seen.data(), 16, n[0], f); fwrite(exact.allowed.data(), 16, n[1], f);
+            fclose(f);
+        }
         const LineDistance d = compare_lines(scene.renderer().read_aov("line_layer"), exact);
         std::printf("view %2d: length %7.0f missing %.2f (%zu of %zu) at %.1f %.1f, extra %.2f (%zu of %zu) at %.1f %.1f\n",
                     view, exact.length, d.missing, d.missing_points, d.points, d.worst_missing.x, d.worst_missing.y,
                     d.extra, d.extra_pixels, d.pixels, d.worst_extra.x, d.worst_extra.y);
+        if (only) finder->explain(scene.world().resource<View>(), d.worst_extra);
         sweep.worst_missing = std::max(sweep.worst_missing, d.missing);
         sweep.worst_extra = std::max(sweep.worst_extra, d.extra);
         sweep.points += d.points, sweep.pixels += d.pixels, sweep.missing += d.missing_points,
