@@ -19,8 +19,13 @@ LineSegment piece_of(const LineSegment& s, double begin, double end) {
     const auto part = [&](const glm::vec2& ends) {
         return glm::vec2(glm::mix(ends.x, ends.y, b), glm::mix(ends.x, ends.y, e));
     };
-    return {glm::mix(s.start, s.end, b), glm::mix(s.start, s.end, e), part(s.depth), part(s.half_width),
-            part(s.weight),              part(s.arc),                 s.ends};
+    return {glm::mix(s.start, s.end, b),
+            glm::mix(s.start, s.end, e),
+            part(s.depth),
+            part(s.half_width),
+            part(s.weight),
+            part(s.arc),
+            s.ends};
 }
 
 /// Narrows [begin, end] to where value(t) = at0 + t * (at1 - at0) is above zero.
@@ -34,9 +39,9 @@ void narrow(ClipLinesJob::Interval& interval, double at0, double at1) {
     }
 }
 
-/// Where a triangle hides the line from p to q, whose depths in the window are z.
-ClipLinesJob::Interval hidden_by(const ScreenTriangle& triangle, const glm::dvec2& p, const glm::dvec2& q,
-                                 const glm::dvec2& z) {
+/// Where a triangle hides a segment.
+ClipLinesJob::Interval hidden_by(const ScreenTriangle& triangle, const PreciseEnds& segment) {
+    const glm::dvec2 &p = segment.start, &q = segment.end, &z = segment.depth;
     ClipLinesJob::Interval interval{0.0, 1.0};
     const auto above = [&](const glm::dvec2& at, double depth) { // reversed depth: nearer is more
         return triangle.depth.x * at.x + triangle.depth.y * at.y + triangle.depth.z -
@@ -67,16 +72,16 @@ void ClipLinesJob::validate() const {
         next += line.count;
     }
     HACHURE_ASSERT(next == segments.size(), "every segment is of a line");
+    HACHURE_ASSERT(ends.size() == segments.size(), "every segment has its ends in full precision");
 }
 
 /// The intervals of one segment that triangles hide, joined and sorted.
 void ClipLinesJob::find_hidden(std::uint32_t index) {
-    const LineSegment& segment = segments[index];
-    const glm::dvec2 p(segment.start), q(segment.end), z(segment.depth);
+    const glm::dvec2 &p = ends[index].start, &q = ends[index].end;
     intervals.clear();
     occluders->each_along(p, q, [&](std::uint32_t triangle) {
         if (std::exchange(looked_at[triangle], index + 1) == index + 1) return;
-        const Interval interval = hidden_by(occluders->triangles()[triangle], p, q, z);
+        const Interval interval = hidden_by(occluders->triangles()[triangle], ends[index]);
         if (interval.begin < interval.end) intervals.push_back(interval);
     });
     std::ranges::sort(intervals, {}, &Interval::begin);
@@ -140,9 +145,10 @@ void ClipLinesJob::append_kind(std::size_t kind, std::size_t& line) {
 void ClipLinesJob::run() {
     pieces->clear();
     hidden_pieces.clear();
+    seen = hidden = {};
     looked_at.assign(occluders->triangles().size(), 0);
     std::size_t line = 0;
-    for (std::size_t kind = 0; kind < line_kinds; ++kind)
+    for (std::size_t kind = 0; kind < drawn_kinds; ++kind)
         if (kinds[kind].count > 0) append_kind(kind, line);
     const auto all_seen = static_cast<std::uint32_t>(pieces->size());
     pieces->insert(pieces->end(), hidden_pieces.begin(), hidden_pieces.end());

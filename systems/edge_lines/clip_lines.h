@@ -17,14 +17,15 @@ struct ClipLinesJob {
     static constexpr double rounding = 2e-6;
 
     std::span<const LineSegment> segments;
+    std::span<const PreciseEnds> ends;   ///< of each segment
     std::span<const SegmentRange> lines; ///< which segments, one after the other, are a line; in order, none left out
-    std::array<SegmentRange, line_kinds> kinds;
+    std::array<SegmentRange, drawn_kinds> kinds;
     const Occluders* occluders = nullptr; ///< filled along the segments
     glm::vec2 viewport{1.0f};             ///< pixels: no line ends outside of it
 
     std::vector<LineSegment>* pieces = nullptr;     ///< out: those that are seen by kind, then those that are hidden
-    std::array<SegmentRange, line_kinds> seen{};   ///< out: ranges of `pieces`
-    std::array<SegmentRange, line_kinds> hidden{}; ///< out: likewise
+    std::array<SegmentRange, drawn_kinds> seen{};   ///< out: ranges of `pieces`
+    std::array<SegmentRange, drawn_kinds> hidden{}; ///< out: likewise
 
     void validate() const;
     void run();

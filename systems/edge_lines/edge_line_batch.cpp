@@ -8,10 +8,13 @@
 namespace hachure {
 namespace {
 
-std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view) {
-    return gpu::key_of(view.key(), item.mesh, item.shape.version, item.world_from_entity, lines.silhouette,
+bool is_clipped(const EdgeLines& lines) { return lines.visibility == LineVisibility::exact; }
+
+std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view, std::uint64_t crossings) {
+    return gpu::key_of(view.key(), item.mesh, item.shape.version, item.world_from_entity, crossings, lines.silhouette,
                        lines.smooth_silhouette, lines.crease, lines.border, lines.material, lines.intersection,
-                       lines.suggestive, lines.crease_angle, lines.width, lines.width_unit);
+                       lines.suggestive, lines.crease_angle, lines.width, lines.width_unit, lines.taper > 0.0f,
+                       lines.hidden == HiddenLines::dashed, lines.visibility);
 }
 
 LineWidth width_on_screen(const EdgeLines& lines, const View& view) {
@@ -57,28 +60,73 @@ void EdgeLineBatch::upload() {
     uploaded_ = true;
 }
 
-EdgeLineBatch& EdgeLineBatches::update(const MeshStore& store, const DrawItem& item, const EdgeLines& lines,
-                                       const View& view) {
+void EdgeLineBatches::update(std::span<LinedItem> items, const MeshStore& store, const DrawList& list,
+                             const View& view) {
+    crossing_items_.clear();
+    for (const LinedItem& lined : items) crossing_items_.push_back({lined.item, lined.lines->intersection});
+    crossings_.update(crossing_items_, store);
+    for (LinedItem& lined : items) {
+        find_lines(lined, store, list, view);
+        lined.batch = &batches_[lined.item->entity];
+    }
+    clip_lines(items, store, list, view);
+}
+
+void EdgeLineBatches::find_lines(const LinedItem& lined, const MeshStore& store, const DrawList& list,
+                                 const View& view) {
+    const DrawItem& item = *lined.item;
+    const EdgeLines& lines = *lined.lines;
     EdgeLineBatch& batch = batches_[item.entity];
-    const std::uint64_t key = batch_key(item, lines, view);
-    if (batch.key_ == key) return batch;
-    const SurfaceMesh& source = store.mesh(item.mesh);
-    EdgeLineMesh& mesh = meshes_.try_emplace(item.mesh, source).first->second;
-    mesh.find_lines(source, item, lines, view, lines_);
+    std::uint64_t key = batch_key(item, lines, view, crossings_.key(item.entity));
+    if (is_clipped(lines)) key = gpu::key_of(key, list.key);
+    if (batch.key_ == key) return;
+    meshes_[item.mesh].find_lines(line_query(store.mesh(item.mesh), item, lines, view), crossings_.of(item.entity),
+                                  lines_);
     ProjectLinesJob job{.lines = &lines_,
                         .clip_from_entity = glm::dmat4(view.clip_from_world) * glm::dmat4(item.world_from_entity),
+                        .clip_per_metre = {view.clip_from_view[2][2], view.clip_from_view[2][3]},
                         .viewport = {view.width, view.height},
                         .width = width_on_screen(lines, view),
-                        .segments = &batch.segments,
-                        .lines_out = &segment_runs_};
+                        .segments = is_clipped(lines) ? &batch.unclipped_ : &batch.segments,
+                        .ends = is_clipped(lines) ? &batch.ends_ : nullptr,
+                        .lines_out = is_clipped(lines) ? &batch.lines_ : &segment_runs_};
     job.run();
-    batch.kinds = job.kinds;
+    batch.kinds = batch.hidden = batch.unclipped_kinds_ = job.kinds;
     batch.widest = 0.0f;
-    for (const LineSegment& segment : batch.segments)
+    for (const LineSegment& segment : *job.segments)
         batch.widest = std::max({batch.widest, segment.half_width.x, segment.half_width.y});
     batch.key_ = key;
+    batch.stale_ = is_clipped(lines);
     batch.uploaded_ = false;
-    return batch;
+}
+
+void EdgeLineBatches::clip_lines(std::span<const LinedItem> items, const MeshStore& store, const DrawList& list,
+                                 const View& view) {
+    const auto each_stale = [&](auto&& visit) {
+        for (const LinedItem& lined : items)
+            if (EdgeLineBatch& batch = batches_[lined.item->entity]; batch.stale_) visit(batch);
+    };
+    bool any = false;
+    each_stale([&](const EdgeLineBatch&) { any = true; });
+    if (!any) return;
+    occluders_.begin(view);
+    each_stale([&](const EdgeLineBatch& batch) {
+        for (const PreciseEnds& ends : batch.ends_) occluders_.want(ends.start, ends.end);
+    });
+    occluders_.fill(list, store, view);
+    each_stale([&](EdgeLineBatch& batch) {
+        clip_.segments = batch.unclipped_;
+        clip_.ends = batch.ends_;
+        clip_.lines = batch.lines_;
+        clip_.kinds = batch.unclipped_kinds_;
+        clip_.occluders = &occluders_;
+        clip_.viewport = {view.width, view.height};
+        clip_.pieces = &batch.segments;
+        clip_.run();
+        batch.kinds = clip_.seen;
+        batch.hidden = clip_.hidden;
+        batch.stale_ = false;
+    });
 }
 
 void EdgeLineBatches::forget_all_but(std::span<const Entity> drawn) {

@@ -1,59 +1,98 @@
+#include <hachure/runtime/geometry/intersect_meshes.h>
 #include <hachure/systems/edge_lines/edge_line_mesh.h>
-#include <hachure/systems/edge_lines/select_edges.h>
 
-#include <glm/matrix.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <span>
 
 namespace hachure {
+namespace {
 
-EdgeLineMesh::EdgeLineMesh(const SurfaceMesh& source)
-    : table_(geometry::build_edge_table(source.positions, source.indices)), planes_(source.indices.size() / 3),
-      creases_(table_.edges.size(), 0), front_(planes_.size()), selected_(table_.edges.size()) {
-    geometry::face_planes(source.positions, source.indices, planes_);
-    closed_ = std::ranges::none_of(table_.edges, [](const geometry::Edge& edge) {
-        return (edge.flags & (geometry::edge_border | geometry::edge_orientation_mismatch)) != 0;
-    });
+using geometry::SurfaceSegment;
+
+DrawnKind kind_of(std::uint32_t kinds) {
+    if ((kinds & geometry::line_border) != 0) return DrawnKind::border;
+    if ((kinds & geometry::line_silhouette) != 0) return DrawnKind::silhouette;
+    return (kinds & geometry::line_crease) != 0 ? DrawnKind::crease : DrawnKind::material;
 }
 
-void EdgeLineMesh::find_lines(const SurfaceMesh& source, const DrawItem& item, const EdgeLines& wanted,
-                              const View& view, LineSet& lines) {
-    // Creases are the mesh's own, whatever its shape: they would come and go as a character moves.
-    if (wanted.crease && crease_angle_ != wanted.crease_angle) {
-        creases_ = find_creases(source.positions, table_.edges, planes_, wanted.crease_angle);
-        crease_angle_ = wanted.crease_angle;
+float longest_side(const LineQuery& query, std::uint32_t face) {
+    const auto corner = [&](std::uint32_t k) { return query.positions[query.mesh->indices[3 * face + k]]; };
+    return std::max({glm::distance(corner(0), corner(1)), glm::distance(corner(1), corner(2)),
+                     glm::distance(corner(2), corner(0))});
+}
+
+} // namespace
+
+SmoothSurface& EdgeLineMesh::smooth(const LineQuery& query) {
+    if (!smooth_) smooth_.emplace(*query.mesh);
+    return *smooth_;
+}
+
+void EdgeLineMesh::find_edges(const LineQuery& query) {
+    if (!edges_) edges_.emplace(*query.mesh);
+    // Where the surface is smooth, its silhouette runs inside triangles.
+    std::span<const std::uint8_t> smooth;
+    if (query.wanted->silhouette && query.wanted->smooth_silhouette) smooth = edges_->smooth_faces(query);
+    for (const geometry::ChosenEdge& chosen : edges_->choose(query)) {
+        const geometry::Edge& edge = edges_->edge(chosen.edge);
+        const DrawnKind kind = kind_of(chosen.kinds);
+        if (kind == DrawnKind::silhouette && !smooth.empty() && smooth[edge.face0] && smooth[edge.face1]) continue;
+        found(kind).segments.push_back({.start = query.positions[edge.v0],
+                                        .end = query.positions[edge.v1],
+                                        .face = edge.face0,
+                                        .other_face = edge.face1,
+                                        .start_id = geometry::end_at_vertex(edge.v0),
+                                        .end_id = geometry::end_at_vertex(edge.v1)});
     }
-    // Lines that a surface was given in this very frame: from the next on, its shape is on the CPU.
-    const bool deformed = item.shape.version != 0 && !item.shape.on_gpu;
-    const std::span<const glm::vec3> positions = deformed ? item.shape.positions : std::span(source.positions);
-    if (deformed) {
-        moved_planes_.resize(planes_.size());
-        geometry::face_planes(positions, source.indices, moved_planes_);
+}
+
+/// The smooth surface turns away a little beside the triangles that stand for it: by up to the size of one these hide
+/// its silhouette, and so much nearer it is taken to be.
+void EdgeLineMesh::find_smooth_silhouettes(const LineQuery& query) {
+    const std::span<const std::uint8_t> smooth_faces = edges_->smooth_faces(query);
+    Found& silhouettes = found(DrawnKind::silhouette);
+    silhouettes.lift.assign(silhouettes.segments.size(), 0.0f);
+    for (const SurfaceSegment& segment : smooth(query).silhouettes(query)) {
+        if (!smooth_faces[segment.face]) continue;
+        silhouettes.segments.push_back(segment);
+        silhouettes.lift.push_back(longest_side(query, segment.face));
     }
-    SelectEdgesJob job{.edges = table_.edges,
-                       .planes = deformed ? moved_planes_ : planes_,
-                       .creases = creases_,
-                       .eye = glm::inverse(item.world_from_entity) * view.eye,
-                       .silhouette = wanted.silhouette,
-                       .crease = wanted.crease,
-                       .border = wanted.border,
-                       .closed = closed_,
-                       .front = front_,
-                       .selected = selected_};
-    job.run();
+}
+
+void EdgeLineMesh::find_intersections(const LineQuery& query) {
+    std::vector<SurfaceSegment>& segments = found(DrawnKind::intersection).segments;
+    if (query.deformed) {
+        segments = geometry::self_intersections(query.positions, query.mesh->indices);
+        return;
+    }
+    if (!knows_intersections_) own_intersections_ = geometry::self_intersections(query.positions, query.mesh->indices);
+    knows_intersections_ = true;
+    segments = own_intersections_;
+}
+
+void EdgeLineMesh::find_lines(const LineQuery& query, std::span<const Segments> crossings, LineSet& lines) {
+    const EdgeLines& wanted = *query.wanted;
+    for (Found& kind : found_) {
+        kind.segments.clear();
+        kind.lift.clear();
+    }
+    find_edges(query);
+    if (wanted.silhouette && wanted.smooth_silhouette) find_smooth_silhouettes(query);
+    if (wanted.intersection) find_intersections(query);
+    if (wanted.suggestive) {
+        const std::span<const SurfaceSegment> contours = smooth(query).suggestive_contours(query);
+        found(DrawnKind::suggestive).segments.assign(contours.begin(), contours.end());
+    }
     lines.clear();
-    const auto kind_of = [&](const geometry::Edge& edge) {
-        if (edge.face1 == geometry::no_face) return LineKind::border;
-        const bool mismatch = (edge.flags & geometry::edge_orientation_mismatch) != 0;
-        const bool turns = (front_[edge.face0] != 0) != ((front_[edge.face1] != 0) != mismatch);
-        return turns && wanted.silhouette ? LineKind::silhouette : LineKind::crease;
-    };
-    for (const LineKind kind : {LineKind::crease, LineKind::border, LineKind::silhouette})
-        for (std::size_t i = 0; i < job.count; ++i) {
-            const geometry::Edge& edge = table_.edges[selected_[i]];
-            if (kind_of(edge) == kind) lines.add(kind, positions[edge.v0], positions[edge.v1]);
-        }
+    const bool chained = wanted.taper > 0.0f || wanted.hidden == HiddenLines::dashed;
+    for (std::size_t i = 0; i < drawn_kinds; ++i) {
+        const auto kind = static_cast<DrawnKind>(i);
+        builder_.add(lines, kind, found_[i].segments, found_[i].lift, chained);
+        // Ends of different surfaces have nothing to do with each other: each list is linked by itself.
+        if (kind == DrawnKind::intersection && wanted.intersection)
+            for (const Segments& crossing : crossings) builder_.add(lines, kind, crossing, {}, chained);
+    }
 }
 
 } // namespace hachure

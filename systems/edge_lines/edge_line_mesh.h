@@ -1,35 +1,46 @@
 #pragma once
 
-#include <hachure/components/edge_lines.h>
-#include <hachure/runtime/geometry/edges.h>
-#include <hachure/runtime/scene/draw_list.h>
-#include <hachure/runtime/scene/mesh_store.h>
-#include <hachure/runtime/scene/view.h>
-#include <hachure/systems/edge_lines/line_set.h>
+#include <hachure/systems/edge_lines/line_builder.h>
+#include <hachure/systems/edge_lines/line_query.h>
+#include <hachure/systems/edge_lines/mesh_edges.h>
+#include <hachure/systems/edge_lines/smooth_surface.h>
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace hachure {
 
-/// The edges of one mesh and what choosing among them needs; made when the first entity asks for lines.
+/// All that finding lines of one mesh needs, each part made when a line is first asked for that needs it.
 class EdgeLineMesh {
 public:
-    explicit EdgeLineMesh(const SurfaceMesh& source);
+    using Segments = std::span<const geometry::SurfaceSegment>;
 
-    /// The lines of an item of this mesh that the view is given, whether it sees them or not, sorted by kind.
-    void find_lines(const SurfaceMesh& source, const DrawItem& item, const EdgeLines& wanted, const View& view,
-                    LineSet& lines);
+    /// The lines of a shape of this mesh that the view is given, whether it sees them or not, sorted by kind.
+    /// `crossings` are those with other surfaces, in the entity's space, a list each: they are drawn as intersections,
+    /// too.
+    void find_lines(const LineQuery& query, std::span<const Segments> crossings, LineSet& lines);
 
 private:
-    geometry::EdgeTable table_;
-    std::vector<glm::vec4> planes_;       ///< of the mesh's own shape
-    std::vector<glm::vec4> moved_planes_; ///< scratch: of the shape at hand
-    std::vector<std::uint8_t> creases_;   ///< of find_creases
-    float crease_angle_ = -1.0f;          ///< which they were found with; -1 for not yet
-    std::vector<std::uint8_t> front_;     ///< scratch of SelectEdgesJob
-    std::vector<std::uint32_t> selected_; ///< likewise
-    bool closed_ = false;
+    void find_edges(const LineQuery& query);
+    void find_smooth_silhouettes(const LineQuery& query);
+    void find_intersections(const LineQuery& query);
+    [[nodiscard]] SmoothSurface& smooth(const LineQuery& query);
+
+    /// What is drawn of one kind.
+    struct Found {
+        std::vector<geometry::SurfaceSegment> segments;
+        std::vector<float> lift; ///< per segment, or empty
+    };
+    [[nodiscard]] Found& found(DrawnKind kind) { return found_[static_cast<std::size_t>(kind)]; }
+
+    std::optional<MeshEdges> edges_;
+    std::optional<SmoothSurface> smooth_;
+    std::vector<geometry::SurfaceSegment> own_intersections_; ///< of the mesh's own shape
+    bool knows_intersections_ = false;
+    std::array<Found, drawn_kinds> found_;
+    LineBuilder builder_;
 };
 
 } // namespace hachure

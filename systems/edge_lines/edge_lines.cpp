@@ -32,24 +32,17 @@ gpu::Rect grown(const gpu::Rect& rect, int margin, const View& view) {
             std::min(view.height, rect.y + rect.height + margin) - y};
 }
 
-/// Rows of entities with lines in this frame.
-struct LinedItem {
-    Entity entity;
-    const EdgeLines* lines;
-    const EdgeLineBatch* batch;
-};
-
-LineDraw draw_of(const LinedItem& item, std::size_t kind) {
-    return {.entity = item.entity,
-            .segments = item.batch->kinds[kind],
-            .taper = item.lines->taper,
-            .exact = item.lines->visibility == LineVisibility::exact};
+LineDraw draw_of(const LinedItem& lined, const SegmentRange& segments) {
+    return {.entity = lined.item->entity,
+            .segments = segments,
+            .taper = lined.lines->taper,
+            .exact = lined.lines->visibility == LineVisibility::exact};
 }
 
 void add_hidden(LineGroups& groups, const LinedItem& item, HiddenLines style) {
     if (style == HiddenLines::none) return;
-    for (std::size_t kind = 0; kind < line_kinds; ++kind) {
-        LineDraw draw = draw_of(item, kind);
+    for (std::size_t kind = 0; kind < drawn_kinds; ++kind) {
+        LineDraw draw = draw_of(item, item.batch->hidden[kind]);
         draw.hidden = true;
         draw.width_factor = item.lines->hidden_width;
         draw.dash = style == HiddenLines::dashed ? item.lines->dash : 0.0f;
@@ -61,9 +54,10 @@ void group_lines(std::span<const LinedItem> items, bool hidden_wanted, EdgeLineF
     frame.picture.clear();
     frame.hidden.clear();
     for (const LinedItem& item : items) add_hidden(frame.picture, item, item.lines->hidden);
-    for (std::size_t kind = 0; kind < line_kinds; ++kind)
+    for (std::size_t kind = 0; kind < drawn_kinds; ++kind)
         for (const LinedItem& item : items)
-            frame.picture.add(color_of(*item.lines, static_cast<LineKind>(kind)), draw_of(item, kind));
+            frame.picture.add(color_of(*item.lines, static_cast<DrawnKind>(kind)),
+                              draw_of(item, item.batch->kinds[kind]));
     if (!hidden_wanted) return;
     for (const LinedItem& item : items)
         add_hidden(frame.hidden, item,
@@ -72,21 +66,21 @@ void group_lines(std::span<const LinedItem> items, bool hidden_wanted, EdgeLineF
 
 void update_batches(Query<const EdgeLines> styled, const DrawList& list, const MeshStore& store, const View& view,
                     const FrameRequests& requests, EdgeLineFrame& frame, LineLayer& layer) {
-    frame.drawn.clear();
-    frame.rect = {};
-    frame.probes = false;
     std::vector<LinedItem> items;
     for (const DrawItem& item : list.items) {
         const auto found = styled.find(item.entity);
-        if (!found) continue;
-        const EdgeLines& lines = std::get<const EdgeLines&>(*found);
-        if (!draws_anything(lines)) continue;
-        const EdgeLineBatch& batch = frame.batches.update(store, item, lines, view);
-        items.push_back({item.entity, &lines, &batch});
-        frame.drawn.push_back(item.entity);
-        frame.probes = frame.probes || lines.visibility == LineVisibility::depth;
-        const float wide = batch.widest * std::max(1.0f, lines.hidden_width);
-        frame.rect = united(frame.rect, grown(item.rect, static_cast<int>(std::ceil(std::min(wide, 1e5f))) + 2, view));
+        if (found && draws_anything(std::get<const EdgeLines&>(*found)))
+            items.push_back({&item, &std::get<const EdgeLines&>(*found)});
+    }
+    frame.batches.update(items, store, list, view);
+    frame.drawn.clear();
+    frame.rect = {};
+    frame.probes = false;
+    for (const LinedItem& lined : items) {
+        frame.drawn.push_back(lined.item->entity);
+        frame.probes = frame.probes || lined.lines->visibility == LineVisibility::depth;
+        const float wide = std::min(lined.batch->widest * std::max(1.0f, lined.lines->hidden_width), 1e5f);
+        frame.rect = united(frame.rect, grown(lined.item->rect, static_cast<int>(std::ceil(wide)) + 2, view));
     }
     group_lines(items, requests.wants("hidden_lines"), frame);
     layer.rect = frame.rect;

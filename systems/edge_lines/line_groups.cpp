@@ -2,21 +2,21 @@
 
 namespace hachure {
 
-glm::vec3 color_of(const EdgeLines& lines, LineKind kind) {
-    if (kind == LineKind::crease && lines.crease_highlight) return lines.highlight_color;
+glm::vec3 color_of(const EdgeLines& lines, DrawnKind kind) {
+    if (kind == DrawnKind::crease && lines.crease_highlight) return lines.highlight_color;
     if (!lines.color_by_kind) return lines.color;
     switch (kind) {
-    case LineKind::suggestive:
+    case DrawnKind::suggestive:
         return lines.suggestive_color;
-    case LineKind::material:
+    case DrawnKind::material:
         return lines.material_color;
-    case LineKind::crease:
+    case DrawnKind::crease:
         return lines.crease_color;
-    case LineKind::intersection:
+    case DrawnKind::intersection:
         return lines.intersection_color;
-    case LineKind::border:
+    case DrawnKind::border:
         return lines.border_color;
-    case LineKind::silhouette:
+    case DrawnKind::silhouette:
         break;
     }
     return lines.color;

@@ -32,9 +32,9 @@ struct LineGroup {
 };
 
 /// What colour lines of a kind have.
-[[nodiscard]] glm::vec3 color_of(const EdgeLines& lines, LineKind kind);
+[[nodiscard]] glm::vec3 color_of(const EdgeLines& lines, DrawnKind kind);
 
-/// Puts lines into the order in which they are drawn: hidden ones below, then kind by kind (LineKind). Neighbours of
+/// Puts lines into the order in which they are drawn: hidden ones below, then kind by kind (DrawnKind). Neighbours of
 /// one colour share a group: with default looks there is one.
 class LineGroups {
 public:

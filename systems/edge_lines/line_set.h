@@ -10,14 +10,14 @@
 namespace hachure {
 
 /// What a line is drawn for. Where lines of two kinds meet, the later one in this list lies on top.
-enum class LineKind : std::uint8_t { suggestive, material, crease, intersection, border, silhouette };
-inline constexpr std::size_t line_kinds = 6;
+enum class DrawnKind : std::uint8_t { suggestive, material, crease, intersection, border, silhouette };
+inline constexpr std::size_t drawn_kinds = 6;
 
 /// Consecutive points of a LineSet that make one line.
 struct LineChain {
     std::uint32_t first = 0;
     std::uint32_t count = 0; ///< points; a closed line repeats its first one at the end
-    LineKind kind = LineKind::silhouette;
+    DrawnKind kind = DrawnKind::silhouette;
     bool closed = false; ///< has no ends
 };
 
@@ -25,17 +25,14 @@ struct LineChain {
 struct LineSet {
     std::vector<glm::vec3> points;
     std::vector<float> weights; ///< per point: opacity, 0 to 1
+    std::vector<float> lifts;   ///< per point: metres towards the eye from where it is asked whether it is seen
     std::vector<LineChain> chains;
 
     void clear() {
         points.clear();
         weights.clear();
+        lifts.clear();
         chains.clear();
-    }
-    void add(LineKind kind, const glm::vec3& start, const glm::vec3& end) {
-        chains.push_back({static_cast<std::uint32_t>(points.size()), 2, kind, false});
-        points.insert(points.end(), {start, end});
-        weights.insert(weights.end(), {1.0f, 1.0f});
     }
 };
 

@@ -94,7 +94,9 @@ void Occluders::add_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm
     if (!needed) return;
     const glm::dvec3 ab = b - a, ac = c - a;
     const double area = cross(glm::dvec2(ab), glm::dvec2(ac));
-    if (area == 0.0 || (one_sided && area < 0.0)) return;
+    // Seen edge on it hides nothing, and its plane's slope is rounding.
+    const double longest = glm::max(glm::length(glm::dvec2(ab)), glm::length(glm::dvec2(ac)));
+    if (std::abs(area) <= 1e-6 * longest || (one_sided && area < 0.0)) return;
     // The gradient of depth over the screen, from the two sides at a.
     const glm::dvec2 slope((ab.z * ac.y - ac.z * ab.y) / area, (ac.z * ab.x - ab.z * ac.x) / area);
     ScreenTriangle triangle{{glm::dvec2(a), glm::dvec2(b), glm::dvec2(c)},

@@ -61,18 +61,17 @@ private:
 
     glm::dvec2 viewport_{1.0};
     int columns_ = 0, rows_ = 0;
-    std::vector<std::uint8_t> wanted_;            ///< per cell
+    std::vector<std::uint8_t> wanted_; ///< per cell
     std::vector<ScreenTriangle> triangles_;
-    std::vector<CellBox> boxes_;                  ///< per triangle
-    std::vector<std::uint32_t> cell_starts_;      ///< per cell and one more
+    std::vector<CellBox> boxes_;             ///< per triangle
+    std::vector<std::uint32_t> cell_starts_; ///< per cell and one more
     std::vector<std::uint32_t> cell_triangles_;
-    std::vector<std::uint32_t> cell_next_;        ///< scratch
-    std::vector<glm::dvec4> clip_;                ///< scratch: vertices of an item
-    std::vector<glm::dvec3> screen_;              ///< scratch: the same on the screen
+    std::vector<std::uint32_t> cell_next_; ///< scratch
+    std::vector<glm::dvec4> clip_;         ///< scratch: vertices of an item
+    std::vector<glm::dvec3> screen_;       ///< scratch: the same on the screen
 };
 
-template <class Visit>
-void Occluders::each_cell(const glm::dvec2& start, const glm::dvec2& end, Visit&& visit) const {
+template <class Visit> void Occluders::each_cell(const glm::dvec2& start, const glm::dvec2& end, Visit&& visit) const {
     const CellBox all = cells_of(glm::min(start, end), glm::max(start, end));
     const glm::dvec2 along = end - start;
     for (int row = all.bottom; row <= all.top; ++row) {

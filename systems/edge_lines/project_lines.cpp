@@ -60,10 +60,11 @@ private:
         return job_.clip_from_entity * glm::dvec4(glm::dvec3(job_.lines->points[i]), 1.0);
     }
 
-    ScreenPoint on_screen(const glm::dvec4& clip, double weight) const {
+    ScreenPoint on_screen(const glm::dvec4& clip, double weight, double lift) const {
         const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * job_.viewport;
         const double wide = job_.width.half_width / (job_.width.by_distance ? clip.w : 1.0);
-        return {at, clip.z / clip.w, wide, weight};
+        const double nearer_w = std::max(clip.w + lift * job_.clip_per_metre.y, 0.1 * clip.w);
+        return {at, (clip.z + lift * job_.clip_per_metre.x) / nearer_w, wide, weight};
     }
 
     void add_segment(std::uint32_t i) {
@@ -81,7 +82,8 @@ private:
             weight_b = glm::mix(weight_a, weight_b, t);
         }
         if (a.w <= 0.0 || b.w <= 0.0) return;
-        cut_to_picture(on_screen(a, weight_a), on_screen(b, weight_b));
+        cut_to_picture(on_screen(a, weight_a, double(job_.lines->lifts[i])),
+                       on_screen(b, weight_b, double(job_.lines->lifts[i + 1])));
     }
 
     void cut_to_picture(const ScreenPoint& a, const ScreenPoint& b) {
@@ -91,6 +93,7 @@ private:
         const glm::dvec2 part = part_inside(a.at, b.at, glm::dvec2(-reach), job_.viewport + reach);
         if (!(part.x <= part.y)) return;
         const ScreenPoint p = mixed(a, b, part.x), q = mixed(a, b, part.y);
+        if (job_.ends) job_.ends->push_back({p.at, q.at, {p.depth, q.depth}});
         job_.segments->push_back({.start = glm::vec2(p.at),
                                   .end = glm::vec2(q.at),
                                   .depth = {p.depth, q.depth},
@@ -108,6 +111,7 @@ private:
 void ProjectLinesJob::validate() const {
     HACHURE_ASSERT(lines && segments && lines_out, "there are lines and room for what comes of them");
     HACHURE_ASSERT(lines->weights.size() == lines->points.size(), "one weight per point");
+    HACHURE_ASSERT(lines->lifts.size() == lines->points.size(), "one lift per point");
     HACHURE_ASSERT(std::ranges::is_sorted(lines->chains, {}, &LineChain::kind), "lines are sorted by kind");
     for (const LineChain& chain : lines->chains)
         HACHURE_ASSERT(std::size_t{chain.first} + chain.count <= lines->points.size(), "a line's points exist");
@@ -115,6 +119,7 @@ void ProjectLinesJob::validate() const {
 
 void ProjectLinesJob::run() {
     segments->clear();
+    if (ends) ends->clear();
     lines_out->clear();
     kinds = {};
     LineProjector projector(*this);

@@ -17,6 +17,12 @@ struct SegmentRange {
     std::uint32_t count = 0;
 };
 
+/// The ends of a segment in full precision, for those who compare them with surfaces.
+struct PreciseEnds {
+    glm::dvec2 start, end; ///< pixels
+    glm::dvec2 depth;      ///< window depth at start and end
+};
+
 /// How wide a line is where it is drawn: half_width pixels, divided by the clip w of the point when `by_distance`.
 struct LineWidth {
     double half_width = 1.0;
@@ -28,12 +34,14 @@ struct LineWidth {
 struct ProjectLinesJob {
     const LineSet* lines = nullptr;
     glm::dmat4 clip_from_entity{1.0}; ///< reversed depth: what is seen has 0 <= z <= w
+    glm::dvec2 clip_per_metre{0.0};   ///< how clip z and w change a metre nearer to the eye's plane
     glm::dvec2 viewport{1.0};         ///< pixels
     LineWidth width;
 
     std::vector<LineSegment>* segments = nullptr;   ///< out
+    std::vector<PreciseEnds>* ends = nullptr;       ///< out: likewise; or null
     std::vector<SegmentRange>* lines_out = nullptr; ///< out: the segments of each line of which any is left
-    std::array<SegmentRange, line_kinds> kinds;     ///< out: the segments of each kind
+    std::array<SegmentRange, drawn_kinds> kinds;    ///< out: the segments of each kind
 
     void validate() const;
     void run();

@@ -6,7 +6,7 @@
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/view.h>
-#include <hachure/systems/edge_lines/select_edges.h>
+#include <hachure/runtime/geometry/creases.h>
 
 #include <glm/glm.hpp>
 
@@ -64,9 +64,13 @@ public:
             const glm::dvec3 world = glm::mix(edge.start, edge.end, s);
             const double hit = tree_.first_hit(glm::dvec3(view.eye), world, 1.0, 0.0);
             const bool f0 = glm::dot(edge.normal0, glm::dvec3(view.eye) - edge.start) > 0.0,
-                   f1 = glm::dot(edge.normal1, glm::dvec3(view.eye) - edge.start) > 0.0;
-            std::printf("    %.2f away, gap %.3g, %s%s%s length %.1f  (%.1f %.1f)-(%.1f %.1f)\n", d, 1.0 - hit, edge.border ? "border " : f0 != f1 ? "silhouette " : "", edge.crease ? "crease " : "",
-                        edge.closed ? "closed" : "open", glm::distance(p, q), p.x, p.y, q.x, q.y);
+                       f1 = glm::dot(edge.normal1, glm::dvec3(view.eye) - edge.start) > 0.0;
+            std::printf("    %.2f away, gap %.3g, %s%s%s length %.1f  (%.1f %.1f)-(%.1f %.1f)\n", d, 1.0 - hit,
+                        edge.border ? "border "
+                        : f0 != f1  ? "silhouette "
+                                    : "",
+                        edge.crease ? "crease " : "", edge.closed ? "closed" : "open", glm::distance(p, q), p.x, p.y,
+                        q.x, q.y);
         }
     }
 
@@ -108,11 +112,10 @@ private:
         const geometry::EdgeTable table = geometry::build_edge_table(mesh.positions, mesh.indices);
         std::vector<glm::vec4> planes(mesh.indices.size() / 3);
         geometry::face_planes(mesh.positions, mesh.indices, planes);
-        const auto creases = find_creases(mesh.positions, table.edges, planes, static_cast<float>(crease_angle));
+        const auto creases = geometry::find_creases(mesh.positions, table.edges, planes, static_cast<float>(crease_angle));
         bool closed = true;
         for (const geometry::Edge& edge : table.edges)
-            closed =
-                closed && (edge.flags & (geometry::edge_border | geometry::edge_orientation_mismatch)) == 0;
+            closed = closed && (edge.flags & (geometry::edge_border | geometry::edge_orientation_mismatch)) == 0;
         for (std::size_t i = 0; i < table.edges.size(); ++i) {
             const geometry::Edge& edge = table.edges[i];
             Candidate candidate{place(item, mesh.positions[edge.v0]), place(item, mesh.positions[edge.v1])};
@@ -175,10 +178,10 @@ private:
 /// How far what is drawn is from where lines are, in pixels; what is farther than `LineDistance::most` counts as that.
 struct LineDistance {
     static constexpr double most = 4.0;
-    double missing = 0.0;            ///< the farthest point of a line from any drawn pixel
-    double extra = 0.0;              ///< the farthest drawn pixel from any line
-    std::size_t missing_points = 0;  ///< points of lines farther than a pixel from what is drawn
-    std::size_t extra_pixels = 0;    ///< drawn pixels farther than a pixel from any line
+    double missing = 0.0;           ///< the farthest point of a line from any drawn pixel
+    double extra = 0.0;             ///< the farthest drawn pixel from any line
+    std::size_t missing_points = 0; ///< points of lines farther than a pixel from what is drawn
+    std::size_t extra_pixels = 0;   ///< drawn pixels farther than a pixel from any line
     std::size_t points = 0, pixels = 0;
     glm::dvec2 worst_missing{0.0}, worst_extra{0.0};
 
@@ -188,7 +191,8 @@ struct LineDistance {
 /// The pixels of a picture and points in it, by pixel, for asking what is nearest.
 class PointBins {
 public:
-    PointBins(int width, int height) : width_(width), height_(height), bins_(static_cast<std::size_t>(width * height)) {}
+    PointBins(int width, int height)
+        : width_(width), height_(height), bins_(static_cast<std::size_t>(width * height)) {}
 
     void add(const glm::dvec2& p) {
         // Points beside the picture count for pixels at its rim.

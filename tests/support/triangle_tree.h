@@ -78,7 +78,6 @@ private:
         return t > 0.0 ? t : none;
     }
 
-
     std::uint32_t build(std::uint32_t first, std::uint32_t end) {
         const auto index = static_cast<std::uint32_t>(nodes_.size());
         nodes_.emplace_back();

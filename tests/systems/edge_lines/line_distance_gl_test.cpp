@@ -97,6 +97,8 @@ constexpr const char* engine = "/usr/share/assimp/models/glTF2/2CylinderEngine-g
 constexpr const char* bunny = "/usr/share/glmark2/models/bunny.obj";
 
 TEST(LineDistance, OfTheEngineByDepth) { measure(engine, LineVisibility::depth); }
+TEST(LineDistance, OfTheEngineClipped) { measure(engine, LineVisibility::exact); }
+TEST(LineDistance, OfTheBunnyClipped) { measure(bunny, LineVisibility::exact); }
 TEST(LineDistance, OfTheBunnyByDepth) { measure(bunny, LineVisibility::depth); }
 
 } // namespace

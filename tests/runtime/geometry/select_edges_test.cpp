@@ -1,20 +1,22 @@
+#include <hachure/runtime/geometry/creases.h>
+#include <hachure/runtime/geometry/select_edges.h>
 #include <hachure/runtime/geometry/shapes.h>
-#include <hachure/systems/edge_lines/select_edges.h>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <random>
 #include <set>
 #include <tuple>
 
-namespace hachure {
+namespace hachure::geometry {
 namespace {
 
-using geometry::Shape;
 using glm::dvec3;
 using Place = std::tuple<float, float, float>;
 using PlacePair = std::pair<Place, Place>;
@@ -22,6 +24,10 @@ using PlacePair = std::pair<Place, Place>;
 struct Choice {
     bool silhouette = true, crease = true, border = true;
     float crease_angle = 0.9f;
+
+    std::uint32_t kinds() const {
+        return (silhouette ? line_silhouette : 0u) | (crease ? line_crease : 0u) | (border ? line_border : 0u);
+    }
 };
 
 Place place(const glm::vec3& p) { return {p.x, p.y, p.z}; }
@@ -75,36 +81,35 @@ Reference reference(const Shape& shape, const glm::dvec4& eye, const Choice& cho
 }
 
 std::set<PlacePair> selected(const Shape& shape, const glm::vec4& eye, const Choice& choice, bool closed = false) {
-    const geometry::EdgeTable table = geometry::build_edge_table(shape.positions, shape.indices);
+    const EdgeTable table = build_edge_table(shape.positions, shape.indices);
     std::vector<glm::vec4> planes(shape.indices.size() / 3);
-    geometry::face_planes(shape.positions, shape.indices, planes);
+    face_planes(shape.positions, shape.indices, planes);
     // Every edge above the angle: which of them are too short to be drawn is find_creases_test's.
     std::vector<std::uint8_t> creases(table.edges.size());
     for (std::size_t i = 0; i < creases.size(); ++i) {
-        const geometry::Edge& edge = table.edges[i];
-        if (edge.face1 == geometry::no_face) continue;
-        const float turn = (edge.flags & geometry::edge_orientation_mismatch) != 0 ? -1.0f : 1.0f;
+        const Edge& edge = table.edges[i];
+        if (edge.face1 == no_face) continue;
+        const float turn = (edge.flags & edge_orientation_mismatch) != 0 ? -1.0f : 1.0f;
         const float cosine = turn * glm::dot(glm::vec3(planes[edge.face0]), glm::vec3(planes[edge.face1]));
         creases[i] = cosine < std::cos(choice.crease_angle) ? 1 : 0;
     }
     std::vector<std::uint8_t> front(planes.size());
-    std::vector<std::uint32_t> chosen(table.edges.size());
+    std::vector<ChosenEdge> chosen(table.edges.size());
+    const std::vector<ChosenEdge> features = feature_edges(table.edges, creases, {});
     SelectEdgesJob job{.edges = table.edges,
                        .planes = planes,
-                       .creases = creases,
+                       .features = features,
                        .eye = eye,
-                       .silhouette = choice.silhouette,
-                       .crease = choice.crease,
-                       .border = choice.border,
+                       .wanted = choice.kinds(),
                        .closed = closed,
                        .front = front,
-                       .selected = chosen};
+                       .chosen = chosen};
     job.validate();
     job.run();
-    EXPECT_TRUE(std::is_sorted(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(job.count)));
+    EXPECT_TRUE(std::ranges::is_sorted(std::span(chosen).first(job.count), std::less_equal(), &ChosenEdge::edge));
     std::set<PlacePair> result;
     for (std::size_t i = 0; i < job.count; ++i) {
-        const geometry::Edge& edge = table.edges[chosen[i]];
+        const Edge& edge = table.edges[chosen[i].edge];
         result.insert(pair_of(shape.positions[edge.v0], shape.positions[edge.v1]));
     }
     return result;
@@ -149,15 +154,15 @@ Shape book(int pages) {
 }
 
 std::vector<std::pair<const char*, Shape>> shapes() {
-    return {{"icosphere", geometry::icosphere(1.0, 3)},
-            {"torus", geometry::torus(1.0, 0.4, 24, 16)},
-            {"irregular torus", geometry::irregular_torus(1.0, 0.4, 20, 12, 0.4, 5)},
-            {"cube", geometry::cube(1.0)},
-            {"cone", geometry::cone(0.7, 1.3, 17)},
+    return {{"icosphere", icosphere(1.0, 3)},
+            {"torus", torus(1.0, 0.4, 24, 16)},
+            {"irregular torus", irregular_torus(1.0, 0.4, 20, 12, 0.4, 5)},
+            {"cube", cube(1.0)},
+            {"cone", cone(0.7, 1.3, 17)},
             {"soup", soup(1)},
-            {"turned triangles", battered(geometry::icosphere(1.0, 3), 2, 30, 0)},
-            {"open", battered(geometry::torus(1.0, 0.4, 24, 16), 3, 0, 25)},
-            {"open with turned triangles", battered(geometry::icosphere(1.0, 3), 4, 20, 20)},
+            {"turned triangles", battered(icosphere(1.0, 3), 2, 30, 0)},
+            {"open", battered(torus(1.0, 0.4, 24, 16), 3, 0, 25)},
+            {"open with turned triangles", battered(icosphere(1.0, 3), 4, 20, 20)},
             {"book", book(4)}};
 }
 
@@ -198,7 +203,7 @@ TEST(SelectEdges, ChoosesWhatTheDefinitionSays) {
 }
 
 TEST(SelectEdges, AnEvenSurfaceHasNoMoreLinesThanItsSilhouette) {
-    const Shape sphere = geometry::icosphere(1.0, 4);
+    const Shape sphere = icosphere(1.0, 4);
     const std::size_t lines = selected(sphere, {0.3f, 2.5f, 1.0f, 1.0f}, {}).size();
     EXPECT_GT(lines, 40u);  // 5120 triangles: a great circle crosses about 100 of them
     EXPECT_LT(lines, 200u); // of 7680 edges
@@ -206,22 +211,22 @@ TEST(SelectEdges, AnEvenSurfaceHasNoMoreLinesThanItsSilhouette) {
 
 TEST(SelectEdges, ACubeFromACornerShowsTwelveEdgesAndNineWhenItIsClosed) {
     const glm::vec4 eye(3.0f, 4.0f, 5.0f, 1.0f);
-    EXPECT_EQ(selected(geometry::cube(1.0), eye, {}).size(), 12u);
-    EXPECT_EQ(selected(geometry::cube(1.0), eye, {}, true).size(), 9u);
-    EXPECT_EQ(selected(geometry::cube(1.0), eye, {true, false, false}, true).size(), 6u);
+    EXPECT_EQ(selected(cube(1.0), eye, {}).size(), 12u);
+    EXPECT_EQ(selected(cube(1.0), eye, {}, true).size(), 9u);
+    EXPECT_EQ(selected(cube(1.0), eye, {true, false, false}, true).size(), 6u);
 }
 
 TEST(SelectEdges, ASeamBetweenRepeatedVerticesIsNoLine) {
-    const Shape sphere = geometry::uv_sphere(1.0, 24, 12);
+    const Shape sphere = uv_sphere(1.0, 24, 12);
     EXPECT_TRUE(selected(sphere, {0.0f, 0.0f, 1.0f, 0.0f}, {false, false, true}).empty());
 }
 
 TEST(SelectEdges, TheCreaseAngleIsAThreshold) {
     const glm::vec4 eye(3.0f, 4.0f, 5.0f, 1.0f);
     const auto right_angle = static_cast<float>(std::numbers::pi / 2);
-    EXPECT_EQ(selected(geometry::cube(1.0), eye, {false, true, false, right_angle - 0.01f}).size(), 12u);
-    EXPECT_EQ(selected(geometry::cube(1.0), eye, {false, true, false, right_angle + 0.01f}).size(), 0u);
+    EXPECT_EQ(selected(cube(1.0), eye, {false, true, false, right_angle - 0.01f}).size(), 12u);
+    EXPECT_EQ(selected(cube(1.0), eye, {false, true, false, right_angle + 0.01f}).size(), 0u);
 }
 
 } // namespace
-} // namespace hachure
+} // namespace hachure::geometry

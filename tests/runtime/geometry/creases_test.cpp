@@ -1,20 +1,18 @@
+#include <hachure/runtime/geometry/creases.h>
 #include <hachure/runtime/geometry/shapes.h>
-#include <hachure/systems/edge_lines/select_edges.h>
 
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace hachure {
+namespace hachure::geometry {
 namespace {
 
-using geometry::Shape;
-
 std::size_t creases_of(const Shape& shape, float degrees) {
-    const geometry::EdgeTable table = geometry::build_edge_table(shape.positions, shape.indices);
+    const EdgeTable table = build_edge_table(shape.positions, shape.indices);
     std::vector<glm::vec4> planes(shape.indices.size() / 3);
-    geometry::face_planes(shape.positions, shape.indices, planes);
+    face_planes(shape.positions, shape.indices, planes);
     const std::vector<std::uint8_t> creases = find_creases(shape.positions, table.edges, planes, glm::radians(degrees));
     return static_cast<std::size_t>(std::ranges::count(creases, 1));
 }
@@ -44,13 +42,13 @@ Shape folded_sheet(float width, float depth) {
 }
 
 TEST(FindCreases, ACubeHasTwelve) {
-    EXPECT_EQ(creases_of(geometry::cube(1.0), 80.0f), 12u);
-    EXPECT_EQ(creases_of(geometry::cube(1.0), 100.0f), 0u);
+    EXPECT_EQ(creases_of(cube(1.0), 80.0f), 12u);
+    EXPECT_EQ(creases_of(cube(1.0), 100.0f), 0u);
 }
 
-TEST(FindCreases, TheRimsOfACylinderAreKept) { EXPECT_EQ(creases_of(geometry::cylinder(1.0, 2.0, 32), 60.0f), 64u); }
+TEST(FindCreases, TheRimsOfACylinderAreKept) { EXPECT_EQ(creases_of(cylinder(1.0, 2.0, 32), 60.0f), 64u); }
 
-TEST(FindCreases, AFineSphereHasNone) { EXPECT_EQ(creases_of(geometry::icosphere(1.0, 4), 30.0f), 0u); }
+TEST(FindCreases, AFineSphereHasNone) { EXPECT_EQ(creases_of(icosphere(1.0, 4), 30.0f), 0u); }
 
 TEST(FindCreases, ASingleSharpEdgeCountsWhenItIsLongForTheMesh) {
     EXPECT_EQ(creases_of(folded_sheet(2.0f, 1.0f), 60.0f), 1u);
@@ -65,4 +63,4 @@ TEST(FindCreases, ABumpOfOneVertexOnADenseSurfaceIsNoise) {
 }
 
 } // namespace
-} // namespace hachure
+} // namespace hachure::geometry
