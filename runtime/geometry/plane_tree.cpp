@@ -188,8 +188,8 @@ void PlaneTree::fit_block(std::size_t block, std::span<const glm::vec4> planes, 
     }
     Boxes& boxes = levels_[0][block / width];
     for (int i = 0; i < 4; ++i) {
-        boxes.low[i][block % width] = low[i];
-        boxes.high[i][block % width] = high[i];
+        boxes.side[0][i][block % width] = low[i];
+        boxes.side[1][i][block % width] = high[i];
     }
 }
 
@@ -200,8 +200,8 @@ void PlaneTree::fit_node(std::size_t level, std::size_t node) {
     const std::size_t count = std::min(width, below - node * width);
     Boxes& boxes = levels_[level][node / width];
     for (int i = 0; i < 4; ++i) {
-        boxes.low[i][node % width] = *std::min_element(children.low[i], children.low[i] + count);
-        boxes.high[i][node % width] = *std::max_element(children.high[i], children.high[i] + count);
+        boxes.side[0][i][node % width] = *std::min_element(children.side[0][i], children.side[0][i] + count);
+        boxes.side[1][i][node % width] = *std::max_element(children.side[1][i], children.side[1][i] + count);
     }
 }
 

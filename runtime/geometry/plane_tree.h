@@ -70,12 +70,12 @@ public:
     }
 
 private:
-    /// Boxes of `width` children, by element.
-    struct alignas(32) Boxes {
-        float low[4][width], high[4][width];
+    /// Boxes of `width` children, by side (low, high) and element.
+    struct alignas(64) Boxes {
+        float side[2][4][width];
     };
     /// A plane of each of `width` items, by element.
-    struct alignas(32) Planes {
+    struct alignas(64) Planes {
         float element[4][width];
     };
     /// The largest elements of all planes, which say how much can be rounded.

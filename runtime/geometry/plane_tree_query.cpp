@@ -16,6 +16,14 @@ Quad load(const float* from) {
     return value;
 }
 
+/// What is asked for this many nodes before it is needed has come by then.
+constexpr std::size_t ahead = 12;
+
+template <class T> void prefetch(const T& object) {
+    for (std::size_t line = 0; line < sizeof object; line += 64)
+        __builtin_prefetch(reinterpret_cast<const char*>(&object) + line);
+}
+
 /// A bit per lane that is set.
 std::uint32_t mask_of(const QuadBits& flags) {
 #if defined(__SSE__)
@@ -53,8 +61,14 @@ void PlaneTree::mark(const glm::vec4& eye, Scratch& scratch) const {
     scratch.nodes.resize(flips_.size() + width);
     scratch.next.resize(flips_.size() + width);
 
+    // Of each element, the side of a box on which its sum with the eye is least, and most.
     const glm::vec4 from_center(glm::dvec4(glm::dvec3(eye) - static_cast<double>(eye.w) * center_, eye.w));
     const float room = slack(eye, from_center);
+    std::size_t least_side[4], most_side[4];
+    for (int i = 0; i < 4; ++i) {
+        least_side[i] = from_center[i] > 0.0f ? 0 : 1;
+        most_side[i] = 1 - least_side[i];
+    }
     std::size_t count = 1;
     scratch.nodes[0] = 0;
     for (std::size_t level = levels_.size(); level-- > 0;) {
@@ -62,13 +76,13 @@ void PlaneTree::mark(const glm::vec4& eye, Scratch& scratch) const {
         std::size_t found = 0;
         for (std::size_t n = 0; n < count; ++n) {
             const Boxes& boxes = levels_[level][scratch.nodes[n]];
+            if (n + ahead < count) prefetch(levels_[level][scratch.nodes[n + ahead]]);
             std::uint32_t through = 0;
             for (std::size_t lane = 0; lane < width; lane += 4) {
                 Quad least{}, most{};
                 for (int i = 0; i < 4; ++i) {
-                    const Quad low = load(boxes.low[i] + lane), high = load(boxes.high[i] + lane);
-                    least += (from_center[i] > 0.0f ? low : high) * from_center[i];
-                    most += (from_center[i] > 0.0f ? high : low) * from_center[i];
+                    least += load(boxes.side[least_side[i]][i] + lane) * from_center[i];
+                    most += load(boxes.side[most_side[i]][i] + lane) * from_center[i];
                 }
                 // Written so that what is not a number is looked into.
                 through |= (~mask_of(least > room) & ~mask_of(most < -room) & 15u) << lane;
@@ -84,7 +98,11 @@ void PlaneTree::mark(const glm::vec4& eye, Scratch& scratch) const {
         count = found;
     }
     scratch.tested_items = count * width;
-    for (std::size_t n = 0; n < count; ++n) mark_block(eye, scratch.nodes[n], scratch);
+    for (std::size_t n = 0; n < count; ++n) {
+        if (n + ahead < count)
+            for (std::size_t k = 0; k < per_item_; ++k) prefetch(planes_[scratch.nodes[n + ahead] * per_item_ + k]);
+        mark_block(eye, scratch.nodes[n], scratch);
+    }
 }
 
 void PlaneTree::mark_block(const glm::vec4& eye, std::size_t block, Scratch& scratch) const {
