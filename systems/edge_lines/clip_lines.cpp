@@ -117,10 +117,10 @@ void ClipLinesJob::end_runs(std::size_t first, std::vector<LineSegment>& all, bo
     for (std::size_t i = first; i < end;) {
         std::size_t last = i;
         while (last + 1 < end && goes_on(all[last], all[last + 1])) ++last;
-        glm::vec2 ends(all[i].arc.x, all[last].arc.y);
-        if (outside(all[i].start, viewport) || (wraps && i == first)) ends.x = -nowhere;
-        if (outside(all[last].end, viewport) || (wraps && last + 1 == end)) ends.y = nowhere;
-        for (; i <= last; ++i) all[i].ends = ends;
+        glm::vec2 run(all[i].arc.x, all[last].arc.y);
+        if (outside(all[i].start, viewport) || (wraps && i == first)) run.x = -nowhere;
+        if (outside(all[last].end, viewport) || (wraps && last + 1 == end)) run.y = nowhere;
+        for (; i <= last; ++i) all[i].ends = run;
     }
 }
 

@@ -17,20 +17,6 @@ std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View
                        lines.hidden == HiddenLines::dashed, lines.visibility);
 }
 
-LineWidth width_on_screen(const EdgeLines& lines, const View& view) {
-    const double half = 0.5 * double(lines.width);
-    switch (lines.width_unit) {
-    case LineWidthUnit::pixels:
-        break;
-    case LineWidthUnit::picture:
-        return {half * view.height / 1000.0, false};
-    case LineWidthUnit::world:
-        // The clip w of a point is its depth in a perspective view and 1 in an orthographic one.
-        return {half / double(view.pixel_size), true};
-    }
-    return {half, false};
-}
-
 void describe_segments(gpu::VertexArray& vertex_array) {
     const auto attribute = [&](unsigned location, int components, std::size_t offset) {
         vertex_array.set_attribute(

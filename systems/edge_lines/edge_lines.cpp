@@ -7,6 +7,7 @@
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/edge_lines/line_frame.h>
 #include <hachure/systems/edge_lines/line_pass.h>
+#include <hachure/systems/edge_lines/line_rects.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +18,6 @@ namespace {
 bool draws_anything(const EdgeLines& lines) {
     return lines.width > 0.0f && (lines.silhouette || lines.smooth_silhouette || lines.crease || lines.border ||
                                   lines.material || lines.intersection || lines.suggestive);
-}
-
-gpu::Rect united(const gpu::Rect& a, const gpu::Rect& b) {
-    if (a.width <= 0 || a.height <= 0) return b;
-    if (b.width <= 0 || b.height <= 0) return a;
-    const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-    return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
-gpu::Rect grown(const gpu::Rect& rect, int margin, const View& view) {
-    const int x = std::max(0, rect.x - margin), y = std::max(0, rect.y - margin);
-    return {x, y, std::min(view.width, rect.x + rect.width + margin) - x,
-            std::min(view.height, rect.y + rect.height + margin) - y};
 }
 
 LineDraw draw_of(const LinedItem& lined, const SegmentRange& segments) {
@@ -65,16 +53,22 @@ void group_lines(std::span<const LinedItem> items, bool hidden_wanted, EdgeLineF
 }
 
 void update_batches(Query<const EdgeLines> styled, const DrawList& list, const MeshStore& store, const View& view,
-                    const FrameRequests& requests, EdgeLineFrame& frame, LineLayer& layer) {
+                    FrameRequests& requests, EdgeLineFrame& frame, LineLayer& layer) {
     std::vector<LinedItem> items;
+    frame.image.clear();
     for (const DrawItem& item : list.items) {
         const auto found = styled.find(item.entity);
-        if (found && draws_anything(std::get<const EdgeLines&>(*found)))
-            items.push_back({&item, &std::get<const EdgeLines&>(*found)});
+        if (!found || !draws_anything(std::get<const EdgeLines&>(*found))) continue;
+        const EdgeLines& lines = std::get<const EdgeLines&>(*found);
+        if (lines.method == LineMethod::image)
+            frame.image.add(item, lines, view);
+        else
+            items.push_back({&item, &lines});
     }
+    if (frame.image.any()) requests.textures.insert({"normal", "object_id"});
     frame.batches.update(items, store, list, view);
     frame.drawn.clear();
-    frame.rect = {};
+    frame.rect = frame.image.rect();
     frame.probes = false;
     for (const LinedItem& lined : items) {
         frame.drawn.push_back(lined.item->entity);

@@ -20,6 +20,7 @@ constexpr int probes_per_pixel = 2;
 
 struct LinePass {
     gpu::TextureHandle layer, hidden_layer, coverage, probe_depth, probe_slope;
+    ImageLines::Textures image;
 };
 
 /// A line pass while it runs.
@@ -31,8 +32,8 @@ public:
 
     void run() {
         if (data_.probe_depth) draw_probes();
-        draw_layer(data_.layer, frame_.picture.groups());
-        if (data_.hidden_layer) draw_layer(data_.hidden_layer, frame_.hidden.groups());
+        draw_layer(data_.layer, frame_.picture.groups(), frame_.image.any());
+        if (data_.hidden_layer) draw_layer(data_.hidden_layer, frame_.hidden.groups(), false);
     }
 
 private:
@@ -69,13 +70,18 @@ private:
     }
 
     /// The first group lies on nothing: it needs no layer of its own.
-    void draw_layer(gpu::TextureHandle layer, std::span<const LineGroup> groups) {
+    void draw_layer(gpu::TextureHandle layer, std::span<const LineGroup> groups, bool with_image) {
         // Compose looks at the rectangle alone, who asks for the layer as an AOV at all of it.
         bind_cleared(layer, !world_.resource<FrameRequests>().aovs.empty());
+        if (with_image) {
+            render_.view_uniforms.bind(view_, world_.resource<LightList>());
+            frame_.image.draw(render_, pass_, data_.image, layer);
+        }
         for (std::size_t i = 0; i < groups.size(); ++i) {
-            if (i > 0) bind_cleared(data_.coverage, false);
+            const bool on_nothing = i == 0 && !with_image;
+            if (!on_nothing) bind_cleared(data_.coverage, false);
             draw_group(groups[i]);
-            if (i > 0) lay_over(layer);
+            if (!on_nothing) lay_over(layer);
         }
     }
 
@@ -139,7 +145,9 @@ void declare_textures(World& world, gpu::FrameGraph& graph, gpu::PassBuilder& pa
         data.hidden_layer = layer("hidden_lines");
         graph.publish("hidden_lines", data.hidden_layer);
     }
-    if (frame.picture.groups().size() > 1 || frame.hidden.groups().size() > 1) data.coverage = layer("line_coverage");
+    if (frame.image.any()) data.image = frame.image.declare(graph, pass, view);
+    if (frame.image.any() || frame.picture.groups().size() > 1 || frame.hidden.groups().size() > 1)
+        data.coverage = layer("line_coverage");
     if (!frame.probes) return;
     const int width = stepped(frame.rect.width), height = stepped(frame.rect.height);
     data.probe_depth = pass.create("line_probe_depth", {width, height, gpu::Format::depth32f});
@@ -152,7 +160,10 @@ void declare_line_pass(World& world) {
     EdgeLineFrame& frame = world.resource_mutable<EdgeLineFrame>();
     // Here and not where edges are chosen, which happens on any thread: batches own buffers of the context.
     frame.batches.forget_all_but(frame.drawn);
-    if (frame.rect.width <= 0 || frame.rect.height <= 0) return;
+    const FrameRequests& requests = world.resource<FrameRequests>();
+    // Who asks for a layer of lines gets one, also when nothing is on it.
+    const bool asked_for = requests.wants("line_layer") || requests.wants("hidden_lines");
+    if (!asked_for && (frame.rect.width <= 0 || frame.rect.height <= 0)) return;
     RenderContext& render = world.resource_mutable<RenderContext>();
     render.graph.add_pass<LinePass>(
         "edge_lines",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hachure/systems/edge_lines/line_set.h>
+#include <hachure/systems/edge_lines/line_width.h>
 
 #include <glm/mat4x4.hpp>
 
@@ -21,12 +22,6 @@ struct SegmentRange {
 struct PreciseEnds {
     glm::dvec2 start, end; ///< pixels
     glm::dvec2 depth;      ///< window depth at start and end
-};
-
-/// How wide a line is where it is drawn: half_width pixels, divided by the clip w of the point when `by_distance`.
-struct LineWidth {
-    double half_width = 1.0;
-    bool by_distance = false;
 };
 
 /// Brings lines to the screen: cuts them at the near plane and at the picture's rim, measures them along, and gives
