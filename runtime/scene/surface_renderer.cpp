@@ -62,9 +62,15 @@ void set_item(gpu::Program& program, const DrawItem& item) {
     program.set("object_id", item.object_id);
 }
 
-gpu::DrawState draw_state(const View& view, const DrawItem& item, const SurfaceMaterial& material) {
+/// What holds for all items of a pass.
+struct ItemPass {
+    gpu::Rect viewport;
+    bool normal = false, object_id = false; ///< what the shaders write besides their colour
+};
+
+gpu::DrawState draw_state(const ItemPass& pass, const DrawItem& item, const SurfaceMaterial& material) {
     gpu::DrawState state;
-    state.viewport = {0, 0, view.width, view.height};
+    state.viewport = pass.viewport;
     state.depth_test = gpu::DepthTest::greater;
     state.depth_write = true;
     state.srgb_write = true;
@@ -72,7 +78,7 @@ gpu::DrawState draw_state(const View& view, const DrawItem& item, const SurfaceM
     return state;
 }
 
-void draw_item(const World& world, RenderContext& render, const DrawItem& item, const SurfaceTargets& targets,
+void draw_item(const World& world, RenderContext& render, const DrawItem& item, const ItemPass& pass,
                const SurfaceShading& shading) {
     const MeshStore& store = world.resource<MeshStore>();
     const SurfaceMesh& mesh = store.mesh(item.mesh);
@@ -81,8 +87,8 @@ void draw_item(const World& world, RenderContext& render, const DrawItem& item, 
     for (const Submesh& submesh : mesh.submeshes) {
         if (submesh.index_count == 0) continue;
         gpu::ProgramSource source{.vertex = std::string(shading.vertex), .fragment = std::string(shading.fragment)};
-        if (targets.normal) source.defines.push_back({"OUT_NORMAL", ""});
-        if (targets.object_id) source.defines.push_back({"OUT_OBJECT_ID", ""});
+        if (pass.normal) source.defines.push_back({"OUT_NORMAL", ""});
+        if (pass.object_id) source.defines.push_back({"OUT_OBJECT_ID", ""});
         if (item.mirrored) source.defines.push_back({"MIRRORED", ""});
         material_defines(mesh, submesh.material, source.defines);
         if (shading.defines) shading.defines(item.entity, source.defines);
@@ -95,7 +101,7 @@ void draw_item(const World& world, RenderContext& render, const DrawItem& item, 
         if (has_normal_map(mesh, submesh.material))
             render.meshes.texture(store, submesh.material.normal_texture).bind(1);
         if (shading.bind) shading.bind(item);
-        gpu::apply(draw_state(world.resource<View>(), item, submesh.material));
+        gpu::apply(draw_state(pass, item, submesh.material));
         program.use();
         gpu::gl().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(submesh.index_count), GL_UNSIGNED_INT,
                                reinterpret_cast<const void*>(std::size_t{submesh.first_index} * sizeof(std::uint32_t)));
@@ -120,10 +126,19 @@ void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& 
                    const SurfaceShading& shading) {
     bind_targets(render, pass, targets);
     render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
+    const View& view = world.resource<View>();
+    const ItemPass items{{0, 0, view.width, view.height}, bool(targets.normal), bool(targets.object_id)};
     const DrawList& list = world.resource<DrawList>();
     const DrawClaims& claims = world.resource<DrawClaims>();
     for (std::size_t i = 0; i < list.items.size(); ++i)
-        if (claims.shading[i] == shading.name) draw_item(world, render, list.items[i], targets, shading);
+        if (claims.shading[i] == shading.name) draw_item(world, render, list.items[i], items, shading);
+}
+
+void draw_all_surfaces(const World& world, RenderContext& render, std::string_view fragment,
+                       const gpu::Rect& viewport) {
+    render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
+    const SurfaceShading shading{.fragment = fragment};
+    for (const DrawItem& item : world.resource<DrawList>().items) draw_item(world, render, item, {viewport}, shading);
 }
 
 void add_surface_pass(World& world, const SurfaceShading& shading, std::uint64_t key) {

@@ -47,6 +47,11 @@ struct SurfaceShading {
 void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& pass, const SurfaceTargets& targets,
                    const SurfaceShading& shading);
 
+/// Draws every item of the DrawList, whoever shades it, with one fragment shader (as SurfaceShading::fragment; what it
+/// writes is linear) into the framebuffer that is bound, at any viewport: for what another resolution, or another
+/// buffer of all surfaces, is needed for.
+void draw_all_surfaces(const World& world, RenderContext& render, std::string_view fragment, const gpu::Rect& viewport);
+
 /// Declares the pass `shading.name`, which draws the claimed items and depends on `key` (what the shading itself
 /// depends on; view, lights, items and shaders are counted in). Without claimed items there is no pass.
 void add_surface_pass(World& world, const SurfaceShading& shading, std::uint64_t key);

@@ -2,17 +2,18 @@
 
 #include <hachure/components/edge_lines.h>
 #include <hachure/runtime/ecs/entity.h>
-#include <hachure/runtime/geometry/edges.h>
-#include <hachure/runtime/geometry/line_kinds.h>
 #include <hachure/runtime/gpu/buffer.h>
 #include <hachure/runtime/gpu/vertex_array.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/systems/edge_lines/clip_lines.h>
+#include <hachure/systems/edge_lines/crossings.h>
+#include <hachure/systems/edge_lines/edge_line_mesh.h>
+#include <hachure/systems/edge_lines/occluders.h>
+#include <hachure/systems/edge_lines/project_lines.h>
 
-#include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
-
+#include <array>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -20,27 +21,12 @@
 
 namespace hachure {
 
-/// The edges of one mesh and what choosing among them needs; made when the first entity asks for lines.
-struct EdgeLineMesh {
-    geometry::EdgeTable table;
-    std::vector<glm::vec4> planes;       ///< of the mesh's own shape
-    std::vector<glm::vec4> moved_planes; ///< scratch: of the shape at hand
-    std::vector<geometry::ChosenEdge> features;
-    float crease_angle = -1.0f;               ///< which they were found with; -1 for not yet
-    std::vector<std::uint8_t> front;          ///< scratch of SelectEdgesJob
-    std::vector<geometry::ChosenEdge> chosen; ///< likewise
-    bool closed = false;
-};
-
-/// A line to draw, in entity space.
-struct EdgeSegment {
-    glm::vec3 start, end;
-};
-
 /// The lines of one entity as seen by the last view.
 struct EdgeLineBatch {
-    std::vector<EdgeSegment> segments;
-    glm::mat4 world_from_entity{1.0f};
+    std::vector<LineSegment> segments; ///< sorted by kind; where they are clipped, hidden ones after the others
+    std::array<SegmentRange, drawn_kinds> kinds;  ///< those that are seen; without clipping, all of them
+    std::array<SegmentRange, drawn_kinds> hidden; ///< those that are not; without clipping, the same
+    float widest = 0.0f;                          ///< half width of the widest place, pixels
     gpu::VertexArray vertex_array;
 
     /// Brings the segments to the GPU if they changed since; needs a context.
@@ -49,15 +35,28 @@ struct EdgeLineBatch {
 private:
     friend class EdgeLineBatches;
     std::uint64_t key_ = 0; ///< of what the segments were chosen from
+    bool stale_ = true;     ///< `unclipped_` are of this frame, what is drawn is not yet
     bool uploaded_ = false;
-    gpu::Buffer buffer_; ///< grows, never shrinks
+    gpu::Buffer buffer_;                 ///< grows, never shrinks
+    std::vector<LineSegment> unclipped_; ///< where lines are clipped: what from
+    std::vector<PreciseEnds> ends_;      ///< likewise
+    std::vector<SegmentRange> lines_;    ///< likewise: which of them are a line
+    std::array<SegmentRange, drawn_kinds> unclipped_kinds_;
+};
+
+/// An entity with lines in this frame.
+struct LinedItem {
+    const DrawItem* item = nullptr;
+    const EdgeLines* lines = nullptr;
+    const EdgeLineBatch* batch = nullptr;
 };
 
 /// The batches of all entities with EdgeLines, kept from frame to frame.
 class EdgeLineBatches {
 public:
-    /// Chooses the entity's edges anew if view, transform, mesh or component changed. Needs no context.
-    void update(const MeshStore& store, const DrawItem& item, const EdgeLines& lines, const View& view);
+    /// Finds the lines of each item anew if view, transform, mesh or component changed, clips those that are to be
+    /// clipped if anything did that is drawn, and fills in the items' batches. Needs no context.
+    void update(std::span<LinedItem> items, const MeshStore& store, const DrawList& list, const View& view);
 
     [[nodiscard]] EdgeLineBatch& get(Entity entity) { return batches_.at(entity); }
 
@@ -65,10 +64,17 @@ public:
     void forget_all_but(std::span<const Entity> drawn);
 
 private:
-    EdgeLineMesh& mesh(const MeshStore& store, std::uint32_t index);
+    void find_lines(const LinedItem& lined, const MeshStore& store, const DrawList& list, const View& view);
+    void clip_lines(std::span<const LinedItem> items, const MeshStore& store, const DrawList& list, const View& view);
 
     std::unordered_map<std::uint32_t, EdgeLineMesh> meshes_;
     std::unordered_map<Entity, EdgeLineBatch> batches_;
+    Crossings crossings_;
+    Occluders occluders_;
+    LineSet lines_;                            ///< scratch
+    ClipLinesJob clip_;                        ///< likewise
+    std::vector<CrossingItem> crossing_items_; ///< likewise
+    std::vector<SegmentRange> segment_runs_;   ///< likewise
 };
 
 } // namespace hachure
