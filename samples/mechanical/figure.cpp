@@ -10,7 +10,6 @@
 #include <hachure/runtime/error.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
 #include "lettering.h"
@@ -20,8 +19,8 @@ using namespace hachure;
 namespace {
 
 constexpr glm::vec3 ink(0.03f, 0.03f, 0.04f), paper(1.0f);
-constexpr glm::vec2 cell_size(2.0f, 2.3f), part_size(1.78f, 1.86f);                 ///< metres
-constexpr float letter_height = 0.082f, part_height = 0.16f, label_height = -1.05f; ///< above the middle of a cell
+constexpr glm::vec2 cell_size(2.0f, 2.4f), part_size(1.78f, 1.86f);                 ///< metres
+constexpr float letter_height = 0.082f, part_height = 0.17f, label_height = -1.07f; ///< above the middle of a cell
 constexpr float depth = 4.0f; ///< from the camera; models reach no farther than half of it towards either side
 
 void add_lines(App& app, const SpawnedModel& model, float width) {
@@ -31,10 +30,11 @@ void add_lines(App& app, const SpawnedModel& model, float width) {
 
 /// Stripes around each piece's own axis, other ones for every piece.
 void add_metal(App& app, const SpawnedModel& model, float cool_to_warm) {
-    std::uint32_t seed = 0;
-    for (const Entity surface : model.surfaces)
-        app.world().add(
-            surface,
+    Metal metal{.source = MetalSource::around_axis, .seed = 0, .cool_to_warm = cool_to_warm};
+    for (const Entity surface : model.surfaces) {
+        ++metal.seed;
+        app.world().add(surface, metal);
+    }
 }
 
 } // namespace
