@@ -45,7 +45,10 @@ struct Shown {
     }
 
     [[nodiscard]] std::vector<Cell> cells(const Options& options) const {
-        return options.gallery ? gallery(models[1], models[2], models[3], models[0]) : figure_10(models.back());
+        if (options.gallery) return gallery(models[1], models[2], models[3], models[0]);
+        // The pieces of the part have axes; other models bend as they like.
+        if (models.size() == 1) return figure_10(models[0], MetalSource::around_axis, leaning());
+        return figure_10(models[1], MetalSource::curvature, half_profile());
     }
 
     std::vector<assets::Model> models; ///< the part first
