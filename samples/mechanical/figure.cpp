@@ -4,13 +4,11 @@
 #include <hachure/components/compose.h>
 #include <hachure/components/edge_lines.h>
 #include <hachure/components/gooch.h>
-#include <hachure/components/metal.h>
 #include <hachure/components/surface.h>
 #include <hachure/components/transform.h>
 #include <hachure/runtime/error.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
 #include "lettering.h"
@@ -20,8 +18,8 @@ using namespace hachure;
 namespace {
 
 constexpr glm::vec3 ink(0.03f, 0.03f, 0.04f), paper(1.0f);
-constexpr glm::vec2 cell_size(2.0f, 2.3f), part_size(1.78f, 1.86f);                 ///< metres
-constexpr float letter_height = 0.082f, part_height = 0.16f, label_height = -1.05f; ///< above the middle of a cell
+constexpr glm::vec2 cell_size(2.0f, 2.4f), part_size(1.78f, 1.86f);                 ///< metres
+constexpr float letter_height = 0.082f, part_height = 0.17f, label_height = -1.07f; ///< above the middle of a cell
 constexpr float depth = 4.0f; ///< from the camera; models reach no farther than half of it towards either side
 
 void add_lines(App& app, const SpawnedModel& model, float width) {
@@ -29,39 +27,38 @@ void add_lines(App& app, const SpawnedModel& model, float width) {
         app.world().add(surface, EdgeLines{.crease_angle = 0.5f, .width = width, .color = ink});
 }
 
-/// Stripes around each piece's own axis, other ones for every piece.
-void add_metal(App& app, const SpawnedModel& model, float cool_to_warm) {
-    std::uint32_t seed = 0;
-    for (const Entity surface : model.surfaces)
-        app.world().add(
-            surface,
+/// Other stripes for every piece.
+void add_metal(App& app, const SpawnedModel& model, MetalSource source, float cool_to_warm) {
+    Metal metal{.source = source, .seed = 0, .cool_to_warm = cool_to_warm};
+    for (const Entity surface : model.surfaces) {
+        ++metal.seed;
+        app.world().add(surface, metal);
+    }
 }
 
 } // namespace
 
-std::vector<Cell> figure_10(const assets::Model& model) {
-    const glm::quat rotation = glm::angleAxis(0.34f, glm::vec3(0, 0, -1)) * glm::angleAxis(0.62f, glm::vec3(1, 0, 0)) *
-                               glm::angleAxis(0.2f, glm::vec3(0, 1, 0));
-    return {{&model, "Phong",
-             [](App& app, const SpawnedModel& spawned, float) {
-                 for (const Entity surface : spawned.surfaces)
-                     app.world().add(surface, Gooch{.shading = GoochShading::phong});
-             },
-             rotation},
-            {&model, "metal", [](App& app, const SpawnedModel& spawned, float) { add_metal(app, spawned, 0.0f); },
-             rotation},
-            {&model, "metal with edge lines",
-             [](App& app, const SpawnedModel& spawned, float width) {
-                 add_metal(app, spawned, 0.0f);
-                 add_lines(app, spawned, width);
-             },
-             rotation},
-            {&model, "metal, cool to warm",
-             [](App& app, const SpawnedModel& spawned, float width) {
-                 add_metal(app, spawned, 1.0f);
-                 add_lines(app, spawned, width);
-             },
-             rotation}};
+glm::quat leaning() {
+    return glm::angleAxis(0.34f, glm::vec3(0, 0, -1)) * glm::angleAxis(0.62f, glm::vec3(1, 0, 0)) *
+           glm::angleAxis(0.2f, glm::vec3(0, 1, 0));
+}
+
+glm::quat half_profile() { return glm::angleAxis(0.2f, glm::vec3(1, 0, 0)) * glm::angleAxis(0.6f, glm::vec3(0, 1, 0)); }
+
+std::vector<Cell> figure_10(const assets::Model& model, MetalSource stripes, glm::quat rotation) {
+    const auto metal = [stripes](float cool_to_warm, bool lines) {
+        return [=](App& app, const SpawnedModel& spawned, float width) {
+            add_metal(app, spawned, stripes, cool_to_warm);
+            if (lines) add_lines(app, spawned, width);
+        };
+    };
+    const auto phong = [](App& app, const SpawnedModel& spawned, float) {
+        for (const Entity surface : spawned.surfaces) app.world().add(surface, Gooch{.shading = GoochShading::phong});
+    };
+    return {{&model, "Phong", phong, rotation},
+            {&model, "metal", metal(0.0f, false), rotation},
+            {&model, "metal with edge lines", metal(0.0f, true), rotation},
+            {&model, "metal, cool to warm", metal(1.0f, true), rotation}};
 }
 
 Figure::Figure(App& app, std::vector<Cell> cells, float line_width) : app_(app) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <hachure/components/metal.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/assets/model.h>
 #include <hachure/runtime/scene/view.h>
@@ -22,8 +23,12 @@ struct Cell {
     float zoom = 1.0f; ///< 1: its rest pose fills the cell
 };
 
-/// The looks of figure 10 of Gooch 1998, from left to right, of one model.
-std::vector<Cell> figure_10(const hachure::assets::Model& model);
+/// The looks of figure 10 of Gooch 1998, from left to right, of one model, and what its stripes follow.
+std::vector<Cell> figure_10(const hachure::assets::Model& model, hachure::MetalSource stripes, glm::quat rotation);
+
+/// From above with the axis leaning, and from half the side.
+glm::quat leaning();
+glm::quat half_profile();
 
 /// Cells of four side by side, or of two or one where the canvas is not wide enough.
 class Figure {

@@ -2,8 +2,6 @@
 
 #include <hachure/components/animation.h>
 #include <hachure/components/edge_lines.h>
-#include <hachure/components/gooch.h>
-#include <hachure/components/surface.h>
 #include <hachure/systems/styles/style.h>
 
 #include <algorithm>
@@ -30,25 +28,30 @@ void stand_still_walking(App& app, const SpawnedModel& model) {
 
 } // namespace
 
-std::vector<Cell> gallery(const assets::Model& character, const assets::Model& statue, const assets::Model& part) {
-    const glm::quat half_profile = glm::angleAxis(0.2f, glm::vec3(1, 0, 0)) * glm::angleAxis(0.6f, glm::vec3(0, 1, 0));
+assets::Model whitened(assets::Model model) {
+    model.materials = {{.name = "white"}};
+    for (assets::Mesh& mesh : model.meshes)
+        for (assets::Primitive& primitive : mesh.primitives) primitive.material = 0;
+    return model;
+}
+
+std::vector<Cell> gallery(const assets::Model& character, const assets::Model& statue,
+                          const assets::Model& white_statue, const assets::Model& part) {
     const auto in_style = [](const char* style) {
         return [style](App& app, const SpawnedModel& model, float width) {
             dress_in(app, model, style, width);
             stand_still_walking(app, model);
         };
     };
-    std::vector<Cell> cells = {{&character, "cool to warm tones", in_style("gooch"), half_profile, 1.0f},
-                               {&character, "toon", in_style("toon"), half_profile, 1.0f},
-                               {&statue, "tones and edge lines", in_style("gooch"), half_profile},
-                               {&statue, "edge lines alone",
+    std::vector<Cell> cells = {{&character, "cool to warm tones", in_style("gooch"), half_profile(), 0.86f},
+                               {&character, "toon", in_style("toon"), half_profile(), 0.86f},
+                               {&statue, "tones and edge lines", in_style("gooch"), half_profile()},
+                               {&white_statue, "edge lines alone",
                                 [](App& app, const SpawnedModel& model, float width) {
-                                    for (const Entity surface : model.surfaces) {
-                                        app.world().get_mutable<Surface>(surface).tint = glm::vec3(1.0f);
+                                    for (const Entity surface : model.surfaces)
                                         app.world().add(surface, EdgeLines{.width = width});
-                                    }
                                 },
-                                half_profile}};
-    std::ranges::move(figure_10(part), std::back_inserter(cells));
+                                half_profile()}};
+    std::ranges::move(figure_10(part, MetalSource::around_axis, leaning()), std::back_inserter(cells));
     return cells;
 }

@@ -41,10 +41,14 @@ constexpr float line_width = 1.4f;
 struct Shown {
     explicit Shown(const Options& options) : models{make_part()} {
         for (const std::string& file : options.models) models.push_back(assets::read_model(file));
+        if (options.gallery) models.push_back(whitened(models[2]));
     }
 
     [[nodiscard]] std::vector<Cell> cells(const Options& options) const {
-        return options.gallery ? gallery(models[1], models[2], models[0]) : figure_10(models.back());
+        if (options.gallery) return gallery(models[1], models[2], models[3], models[0]);
+        // The pieces of the part have axes; other models bend as they like.
+        if (models.size() == 1) return figure_10(models[0], MetalSource::around_axis, leaning());
+        return figure_10(models[1], MetalSource::curvature, half_profile());
     }
 
     std::vector<assets::Model> models; ///< the part first
@@ -161,7 +165,7 @@ int main(int argc, char** argv) {
             options.models.emplace_back(word);
     }
     if (options.gallery ? options.models.size() != 2 : options.models.size() > 1) return refuse();
-    if (options.size.width == 0) options.size = options.gallery ? Canvas{1200, 690} : Canvas{1600, 460};
+    if (options.size.width == 0) options.size = options.gallery ? Canvas{1200, 720} : Canvas{1600, 480};
     try {
         return options.picture.empty() ? run_window(options) : draw_picture(options);
     } catch (const std::exception& error) {

@@ -15,6 +15,14 @@ layout(std140, binding = 1) uniform Lights {
     int light_count;
 };
 
+// What the frame's lights do is known when the program is compiled (runtime/scene/light_defines.h): how many there are,
+// LIGHTS_END where some end by range or cone, LIGHTS_GAZE where some turn with the gaze. Without the first, it is dynamic.
+#ifndef LIGHT_COUNT
+#define LIGHT_COUNT light_count
+#define LIGHTS_END
+#define LIGHTS_GAZE
+#endif
+
 // Turns a vector as the smallest turn takes the camera's axis to the line of sight to a point. What is perpendicular to
 // the axis becomes perpendicular to the line of sight.
 vec3 turn_with_gaze(vec3 v, vec3 world) {
@@ -27,12 +35,18 @@ vec3 turn_with_gaze(vec3 v, vec3 world) {
 // Unit vector from a point of the world towards light i.
 vec3 towards_light(int i, vec3 world) {
     vec3 l = normalize(lights[i].position.xyz - lights[i].position.w * world);
-    return lights[i].cone.z > 0.0 ? turn_with_gaze(l, world) : l;
+#ifdef LIGHTS_GAZE
+    if (lights[i].cone.z > 0.0) l = turn_with_gaze(l, world);
+#endif
+    return l;
 }
 
 // How much of light i reaches a point, from 0 to 1, without a jump: the end of its range and a spot's cone, as
 // KHR_lights_punctual has them. Distance by itself dims nothing: tones are relative.
 float light_reach(int i, vec3 world) {
+#ifndef LIGHTS_END
+    return 1.0;
+#else
     LightData light = lights[i];
     if (light.position.w == 0.0) return 1.0;
     vec3 away = world - light.position.xyz;
@@ -48,4 +62,5 @@ float light_reach(int i, vec3 world) {
         reach *= inside * inside;
     }
     return reach;
+#endif
 }

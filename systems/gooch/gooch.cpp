@@ -1,6 +1,7 @@
 #include <hachure/components/gooch.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/light_defines.h>
 #include <hachure/runtime/scene/surface_renderer.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/gooch/gooch.h>
@@ -71,15 +72,16 @@ void add_to(gpu::KeyHash& hash, const Gooch& gooch) {
 class DeclarePass {
 public:
     void operator()(World& world) {
-        add_surface_pass(
-            world,
-            {.name = shading_name,
-             .fragment = "gooch/gooch.frag",
-             .defines = [&world](Entity entity, auto& defines) { add_defines(parameters_of(world, entity), defines); },
-             .uniforms = [&world](Entity entity,
-                                  auto& program) { set_uniforms(parameters_of(world, entity), program); },
-             .vertex = "gooch/gooch.vert"},
-            key(world));
+        SurfaceShading shading{.name = shading_name, .fragment = "gooch/gooch.frag"};
+        shading.vertex = "gooch/gooch.vert";
+        shading.defines = [&world](Entity entity, auto& defines) {
+            add_defines(parameters_of(world, entity), defines);
+            add_light_defines(world.resource<LightList>(), defines);
+        };
+        shading.uniforms = [&world](Entity entity, auto& program) {
+            set_uniforms(parameters_of(world, entity), program);
+        };
+        add_surface_pass(world, shading, key(world));
     }
 
 private:

@@ -13,6 +13,7 @@
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/renderer.h>
+#include <hachure/runtime/scene/view.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/tests/benchmarks/bench_report.h>
 

@@ -18,7 +18,7 @@ set key top left reverse Left samplen 1.6 textcolor "#303030"
 set multiplot
 set label 1 "Light at the vertices, as in 1998, and per pixel" at screen 0.012, 0.945 font ",17" textcolor "#202020"
 
-set lmargin at screen 0.075
+set lmargin at screen 0.095
 set rmargin at screen 0.54
 set bmargin at screen 0.13
 set tmargin at screen 0.8
@@ -30,7 +30,7 @@ set xtics (5, 7.5, 10, 15, 20, 30, 45, 60)
 set ytics (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1)
 set xlabel "angle between the normals of neighbouring vertices, degrees" textcolor "#606060"
 set ylabel "share of k_{warm} - k_{cool}" textcolor "#606060" offset 1, 0
-set label 2 "1/255" at 4.2, 0.0043 textcolor "#909090"
+set label 2 "1/255" at 4.2, 0.0045 textcolor "#909090"
 plot rows("error") using 3:5 with lines linewidth 2.2 linecolor "#1f5fa8" title "(1 - cos(D/2))/2", \
      rows("error") using 3:4 with points pointtype 7 pointsize 0.8 linecolor "#e0752d" title "measured", \
      1.0/255 with lines linewidth 1 dashtype 2 linecolor "#909090" notitle
@@ -38,6 +38,8 @@ unset label
 
 unset logscale
 unset ylabel
+unset ytics
+set ytics autofreq nomirror scale 0.5 textcolor "#606060"
 unset key
 set lmargin at screen 0.73
 set rmargin at screen 0.98
