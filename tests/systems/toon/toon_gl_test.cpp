@@ -93,7 +93,7 @@ public:
         for (int y = std::max(0, row - 2); y <= std::min(canvas.height - 1, row + 2); ++y)
             for (int x = std::max(0, column - 2); x <= std::min(canvas.width - 1, column + 2); ++x)
                 if (point(x, y).hit != point(column, row).hit) return false;
-        return !point(column, row).hit || away_.at(column, row) < 0.5;
+        return !point(column, row).hit || away_.at(column, row) < 0.4;
     }
 
     [[nodiscard]] const ToonPoint& point(int column, int row) const {
@@ -193,12 +193,14 @@ std::vector<Trial> band_trials() {
     far_away.radius = 0.3;
     return {{"default", scene_with({sun}), Toon{}},
             {"two tones, light ends at 90 degrees", scene_with({sun}), Toon{.bands = 2, .wrap = 0.0f}},
-            {"two lights", scene_with({sun, side}), Toon{.bands = 4, .wrap = 0.2f}},
+            {"two lights", scene_with({sun, side}),
+             Toon{.bands = 4, .wrap = 0.2f, .dark_edge = 0.55f, .light_edge = 0.95f}},
             {"soft, orthographic", orthographic, Toon{.bands = 3, .softness = 0.2f}},
             {"one tone", scene_with({sun}), Toon{.bands = 1, .light = {0.9f, 0.8f, 0.7f}}},
             {"lamp and spot", scene_with({lamp, spot}), Toon{.bands = 5, .light = {1, 0.9f, 0.8f}}},
-            {"tones thinner than pixels", far_away, Toon{.bands = 16}},
-            {"soft tones thinner than pixels", far_away, Toon{.bands = 16, .softness = 0.05f}}};
+            {"tones thinner than pixels", far_away, Toon{.bands = 16, .dark_edge = 0.5f, .light_edge = 1.0f}},
+            {"soft tones thinner than pixels", far_away,
+             Toon{.bands = 16, .dark_edge = 0.5f, .light_edge = 1.0f, .softness = 0.05f}}};
 }
 
 using ToonTest = GlTest;
@@ -207,7 +209,7 @@ TEST_P(ToonTest, BandsMatchTheClosedForm) {
     for (const Trial& trial : band_trials()) {
         const Difference found = compare(context(), trial);
         EXPECT_LE(found.worst, 1.0 / 255.0) << trial.name << " at " << found.where;
-        EXPECT_GT(found.drawn, trial.scene.radius < 1.0 ? 400 : 6000) << trial.name;
+        EXPECT_GT(found.drawn, trial.scene.radius < 1.0 ? 400 : 5500) << trial.name;
         RecordProperty(trial.name, fmt::format("{:.2e}", found.worst));
     }
 }
@@ -243,6 +245,7 @@ TEST_P(ToonTest, DetailFollowsItsAttributeInBandsAndRamps) {
         Toon toon{.bands = 4, .detail = detail, .detail_distance = 2.65f, .detail_ratio = 1.4f};
         if (detail == ToonDetail::focus) toon.detail_distance = 0.5f, toon.detail_ratio = 4.0f;
         toon.focus_point = glm::vec3(0.6f, 0.3f, 0.7f);
+        if (detail == ToonDetail::orientation) toon.detail_power = 0.5f;
         Toon from_file = toon;
         from_file.ramp = (folder / "noise.png").string();
         from_file.ramp_use = detail == ToonDetail::depth ? RampUse::multiply : RampUse::replace;
@@ -305,9 +308,12 @@ TEST_P(ToonTest, OverlappingLightsAddNoBand) {
     EXPECT_EQ(one.size(), 4u) << "three tones and the background";
     EXPECT_GE(two.size(), 3u);
     for (const std::vector<int>& color : two) EXPECT_TRUE(one.contains(color));
-    // So the test can fail: one more light in the same place is one more step for who cuts each light by itself.
-    const auto apart = flat_colors(draw_color(context(), scene_with({left, right}), Toon{.bands = 5, .wrap = 0.0f}));
-    EXPECT_GT(apart.size(), one.size());
+    // So the test can fail: what cutting each light by itself would give.
+    assets::Image each = draw_color(context(), scene_with({left}), toon);
+    const assets::Image other = draw_color(context(), scene_with({right}), toon);
+    for (int i = 0; i < 3 * each.width * each.height; ++i) each.f32()[i] = 0.5f * (each.f32()[i] + other.f32()[i]);
+    const auto steps = flat_colors(each);
+    EXPECT_TRUE(std::ranges::any_of(steps, [&](const std::vector<int>& color) { return !one.contains(color); }));
 }
 
 /// A step half as large changes no pixel by more than half as much: edges move, and nothing jumps.
@@ -328,7 +334,7 @@ TEST_P(ToonTest, NothingPops) {
                 scene.eye.translation += step * float(i) * glm::vec3(0.3f, 0.1f, 0.5f);
                 frames[i] = draw_color(context(), scene, toon);
             }
-            const const Trial outline{"", scene_with({light_from({0, 0, 1})}), toon};
+            const Trial outline{"", scene_with({light_from({0, 0, 1})}), toon};
             const Expected inside(outline);
             for (int row = 0; row < canvas.height; ++row)
                 for (int column = 0; column < canvas.width; ++column) {
