@@ -330,12 +330,14 @@ TEST_P(ToonTest, NothingPops) {
     const Expected inside(outline);
     DrawnScene drawn(context(), canvas);
     drawn.renderer().request_aov("color");
-    drawn.world().add(drawn.add(surface_mesh(geometry::icosphere(1.0, 6))), toon);
+    SurfaceMaterial material;
+    material.base_color = glm::vec4(0.8f, 0.5f, 0.3f, 1.0f);
+    drawn.world().add(drawn.add(surface_mesh(geometry::icosphere(1.0, 6), material)), toon);
     const Entity camera = drawn.add(still.camera, still.eye);
     const Entity sun = drawn.world().create_with(Transform{}, Light{});
     const auto draw_at = [&](float turned, float moved) {
         drawn.world().get_mutable<Transform>(sun) =
-            light_from({std::sin(turned), 0.6f, 1.0f + 0.2f * std::cos(turned)}).place;
+            light_from({1.2f + std::sin(turned), 0.6f, 0.2f * std::cos(turned)}).place;
         drawn.world().get_mutable<Transform>(camera).translation =
             still.eye.translation + moved * glm::vec3(0.3f, 0.1f, 0.5f);
         drawn.renderer().render_frame();
