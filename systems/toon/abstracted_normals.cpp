@@ -24,7 +24,10 @@ geometry::FittedShape fitted_shape(AbstractedShape shape) {
 
 SharedNormals abstracted_normals(const SurfaceMesh& mesh, const AbstractedShapeKey& key) {
     auto result = std::make_shared<std::vector<glm::vec3>>(mesh.positions.size());
-    if (mesh.normals.size() != mesh.positions.size()) return result;
+    if (mesh.normals.size() != mesh.positions.size()) {
+        result->clear(); // nothing to abstract from
+        return result;
+    }
     if (key.shape != AbstractedShape::smoothed) {
         geometry::FittedNormalsJob job{.shape = fitted_shape(key.shape),
                                        .positions = mesh.positions,

@@ -30,7 +30,7 @@ struct AbstractedShapeKey {
 
 using SharedNormals = std::shared_ptr<const std::vector<glm::vec3>>;
 
-/// Of a mesh in its own shape.
+/// Of a mesh in its own shape; none of a mesh without normals.
 [[nodiscard]] SharedNormals abstracted_normals(const SurfaceMesh& mesh, const AbstractedShapeKey& key);
 
 /// The same, moved along by the skin that made `shape`, into `carried`.

@@ -5,6 +5,16 @@
 
 namespace hachure {
 
+namespace {
+
+/// Whether the mesh is skinned, and the shape is one of this mesh and method: it stays for a while when they change.
+bool can_carry(const SurfaceMesh& mesh, geometry::SkinMethod method, const Deformed& shape) {
+    const std::size_t entries = method == geometry::SkinMethod::linear ? shape.palette.size() : shape.motions.size();
+    return entries > 0 && entries == mesh.skin.palette_size() && mesh.skin.vertex_count() == mesh.positions.size();
+}
+
+} // namespace
+
 void ToonNormals::update(const ToonSurfaces& surfaces, const Query<AbstractedNormals>& results,
                          const Removed<Toon>& unwanted, const LastRun& last, const MeshStore& store,
                          Commands& commands) {
@@ -34,9 +44,10 @@ void ToonNormals::collect(const ToonSurfaces& surfaces, const Query<AbstractedNo
             if (results.contains(entity)) commands.remove<AbstractedNormals>(entity);
             continue;
         }
-        const bool carried = shape && !shape->palette.empty();
-        tasks_.push_back({entity, &store.mesh(surface.mesh), AbstractedShapeKey(surface.mesh, toon),
-                          deform ? deform->method : Deform{}.method, carried ? shape : nullptr});
+        const SurfaceMesh& mesh = store.mesh(surface.mesh);
+        const geometry::SkinMethod method = (deform ? *deform : Deform{}).method;
+        const bool carried = shape && can_carry(mesh, method, *shape);
+        tasks_.push_back({entity, &mesh, AbstractedShapeKey(surface.mesh, toon), method, carried ? shape : nullptr});
         if (carried) {
             std::shared_ptr<std::vector<glm::vec3>>& memory = carried_[entity];
             if (!memory) memory = std::make_shared<std::vector<glm::vec3>>();

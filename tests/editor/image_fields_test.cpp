@@ -67,16 +67,16 @@ TEST_F(ImageFields, FaultsNameFileAndPlace) {
         EXPECT_THAT(forked_command({"validate", "mine.json"}, folder.path()).out,
                     testing::AllOf(HasSubstr(std::string("fault: mine.json: ") + one.fault),
                                    HasSubstr("(line 2, column 31: /surface/toon/ramp)"), HasSubstr("1 fault")));
-        for (const std::vector<std::string>& input :
-             {std::vector<std::string>{"s.scene.json"},
-              {"a.obj", "--style", "mine.json"},
-              {"a.obj", "--style", "toon", "--set", std::string("toon.ramp=") + one.file}}) {
-            std::vector<std::string> arguments{"render", "-o", "x.png", "--size", "64x48"};
-            arguments.insert(arguments.end(), input.begin(), input.end());
-            EXPECT_TRUE(failed(hachure_program(folder, arguments), 1, one.fault)) << one.file;
-            EXPECT_FALSE(std::filesystem::exists(folder / "x.png"));
-        }
+        EXPECT_TRUE(failed(hachure_program(folder, {"render", "s.scene.json", "-o", "x.png"}), 1, one.fault));
+        EXPECT_FALSE(std::filesystem::exists(folder / "x.png"));
     }
+    for (const char* argument : {"toon.ramp=art/none.png", "toon.ramp=art/broken.png"})
+        EXPECT_TRUE(failed(hachure_program(folder, {"render", "a.obj", "-o", "x.png", "--size", "64x48", "--style",
+                                                    "toon", "--set", argument}),
+                           1, std::string(argument).substr(10)));
+    EXPECT_TRUE(failed(hachure_program(folder, {"render", "a.obj", "-o", "x.png", "--style", "mine.json"}), 1,
+                       "art/text.png: "));
+    EXPECT_FALSE(std::filesystem::exists(folder / "x.png"));
 }
 
 /// Pictures that can be read, and are no ramps.

@@ -7,6 +7,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -93,7 +94,7 @@ public:
         for (int y = std::max(0, row - 2); y <= std::min(canvas.height - 1, row + 2); ++y)
             for (int x = std::max(0, column - 2); x <= std::min(canvas.width - 1, column + 2); ++x)
                 if (point(x, y).hit != point(column, row).hit) return false;
-        return !point(column, row).hit || away_.at(column, row) < 0.5;
+        return !point(column, row).hit || away_.at(column, row) < 0.4;
     }
 
     [[nodiscard]] const ToonPoint& point(int column, int row) const {
@@ -193,12 +194,14 @@ std::vector<Trial> band_trials() {
     far_away.radius = 0.3;
     return {{"default", scene_with({sun}), Toon{}},
             {"two tones, light ends at 90 degrees", scene_with({sun}), Toon{.bands = 2, .wrap = 0.0f}},
-            {"two lights", scene_with({sun, side}), Toon{.bands = 4, .wrap = 0.2f}},
+            {"two lights", scene_with({sun, side}),
+             Toon{.bands = 4, .wrap = 0.2f, .dark_edge = 0.55f, .light_edge = 0.95f}},
             {"soft, orthographic", orthographic, Toon{.bands = 3, .softness = 0.2f}},
             {"one tone", scene_with({sun}), Toon{.bands = 1, .light = {0.9f, 0.8f, 0.7f}}},
             {"lamp and spot", scene_with({lamp, spot}), Toon{.bands = 5, .light = {1, 0.9f, 0.8f}}},
-            {"tones thinner than pixels", far_away, Toon{.bands = 16}},
-            {"soft tones thinner than pixels", far_away, Toon{.bands = 16, .softness = 0.05f}}};
+            {"tones thinner than pixels", far_away, Toon{.bands = 16, .dark_edge = 0.5f, .light_edge = 1.0f}},
+            {"soft tones thinner than pixels", far_away,
+             Toon{.bands = 16, .dark_edge = 0.5f, .light_edge = 1.0f, .softness = 0.05f}}};
 }
 
 using ToonTest = GlTest;
@@ -207,7 +210,7 @@ TEST_P(ToonTest, BandsMatchTheClosedForm) {
     for (const Trial& trial : band_trials()) {
         const Difference found = compare(context(), trial);
         EXPECT_LE(found.worst, 1.0 / 255.0) << trial.name << " at " << found.where;
-        EXPECT_GT(found.drawn, trial.scene.radius < 1.0 ? 400 : 6000) << trial.name;
+        EXPECT_GT(found.drawn, trial.scene.radius < 1.0 ? 400 : 5500) << trial.name;
         RecordProperty(trial.name, fmt::format("{:.2e}", found.worst));
     }
 }
@@ -243,6 +246,7 @@ TEST_P(ToonTest, DetailFollowsItsAttributeInBandsAndRamps) {
         Toon toon{.bands = 4, .detail = detail, .detail_distance = 2.65f, .detail_ratio = 1.4f};
         if (detail == ToonDetail::focus) toon.detail_distance = 0.5f, toon.detail_ratio = 4.0f;
         toon.focus_point = glm::vec3(0.6f, 0.3f, 0.7f);
+        if (detail == ToonDetail::orientation) toon.detail_power = 0.5f;
         Toon from_file = toon;
         from_file.ramp = (folder / "noise.png").string();
         from_file.ramp_use = detail == ToonDetail::depth ? RampUse::multiply : RampUse::replace;
@@ -258,7 +262,7 @@ TEST_P(ToonTest, DetailFollowsItsAttributeInBandsAndRamps) {
 TEST_P(ToonTest, EdgesAreAntiAliased) {
     constexpr int grid = 12;
     for (const int bands : {2, 16}) {
-        Trial trial{"", scene_with({light_from({1.0f, 0.5f, -0.1f})}), Toon{.bands = bands}};
+        Trial trial{"", scene_with({light_from({1.0f, 0.5f, -0.6f})}), Toon{.bands = bands}};
         if (bands == 16) trial.scene.radius = 0.12; // a dozen tones over some ten pixels
         const assets::Image color = draw_color(context(), trial.scene, trial.toon);
         const Expected expected(trial);
@@ -305,9 +309,12 @@ TEST_P(ToonTest, OverlappingLightsAddNoBand) {
     EXPECT_EQ(one.size(), 4u) << "three tones and the background";
     EXPECT_GE(two.size(), 3u);
     for (const std::vector<int>& color : two) EXPECT_TRUE(one.contains(color));
-    // So the test can fail: one more light in the same place is one more step for who cuts each light by itself.
-    const auto apart = flat_colors(draw_color(context(), scene_with({left, right}), Toon{.bands = 5, .wrap = 0.0f}));
-    EXPECT_GT(apart.size(), one.size());
+    // So the test can fail: what cutting each light by itself would give.
+    assets::Image each = draw_color(context(), scene_with({left}), toon);
+    const assets::Image other = draw_color(context(), scene_with({right}), toon);
+    for (int i = 0; i < 3 * each.width * each.height; ++i) each.f32()[i] = 0.5f * (each.f32()[i] + other.f32()[i]);
+    const auto steps = flat_colors(each);
+    EXPECT_TRUE(std::ranges::any_of(steps, [&](const std::vector<int>& color) { return !one.contains(color); }));
 }
 
 /// A step half as large changes no pixel by more than half as much: edges move, and nothing jumps.
@@ -318,26 +325,34 @@ TEST_P(ToonTest, NothingPops) {
                     .detail_ratio = 3.0f,
                     .rim = 0.5f,
                     .specular = 0.7f};
+    const ToonScene still = scene_with({light_from({0, 0, 1})});
+    const Trial outline{"", still, toon};
+    const Expected inside(outline);
+    DrawnScene drawn(context(), canvas);
+    drawn.renderer().request_aov("color");
+    SurfaceMaterial material;
+    material.base_color = glm::vec4(0.8f, 0.5f, 0.3f, 1.0f);
+    drawn.world().add(drawn.add(surface_mesh(geometry::icosphere(1.0, 6), material)), toon);
+    const Entity camera = drawn.add(still.camera, still.eye);
+    const Entity sun = drawn.world().create_with(Transform{}, Light{});
+    const auto draw_at = [&](float turned, float moved) {
+        drawn.world().get_mutable<Transform>(sun) =
+            light_from({1.2f + std::sin(turned), 0.6f, 0.2f * std::cos(turned)}).place;
+        drawn.world().get_mutable<Transform>(camera).translation =
+            still.eye.translation + moved * glm::vec3(0.3f, 0.1f, 0.5f);
+        drawn.renderer().render_frame();
+        return drawn.renderer().read_aov("color");
+    };
     const auto largest = [&](float step) {
         double most = 0.0;
         for (int at = 0; at < 3; ++at) {
-            assets::Image frames[2];
-            for (int i = 0; i < 2; ++i) {
-                const float turned = 0.9f * float(at) + step * float(i);
-                ToonScene scene = scene_with({light_from({std::sin(turned), 0.6f, 1.0f + 0.2f * std::cos(turned)})});
-                scene.eye.translation += step * float(i) * glm::vec3(0.3f, 0.1f, 0.5f);
-                frames[i] = draw_color(context(), scene, toon);
+            const float turned = 0.9f * float(at);
+            const assets::Image before = draw_at(turned, 0.0f), after = draw_at(turned + step, step);
+            for (int i = 0; i < canvas.width * canvas.height; ++i) {
+                if (!inside.away_from_outlines(i % canvas.width, i / canvas.width)) continue;
+                for (int c = 0; c < 3; ++c)
+                    most = std::max(most, double(std::abs(before.f32()[3 * i + c] - after.f32()[3 * i + c])));
             }
-            const const Trial outline{"", scene_with({light_from({0, 0, 1})}), toon};
-            const Expected inside(outline);
-            for (int row = 0; row < canvas.height; ++row)
-                for (int column = 0; column < canvas.width; ++column) {
-                    if (!inside.away_from_outlines(column, row)) continue;
-                    for (int c = 0; c < 3; ++c) {
-                        const int i = 3 * (row * canvas.width + column) + c;
-                        most = std::max(most, double(std::abs(frames[0].f32()[i] - frames[1].f32()[i])));
-                    }
-                }
         }
         return most;
     };
