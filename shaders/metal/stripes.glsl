@@ -70,10 +70,11 @@ Stripes stripes_here(vec3 n, vec3 l) {
     float steep = abs(radians) > 1e-9 ? 1.0 / radians : 0.0;
     s.turn = max(2.0 * PI * abs(steep), 1.0);
     s.towards_light = angle * steep;
-    // A surface that hardly turns faces the light alike on all its stripes, or on none; and from where a sharp bend is
-    // turned away from the light, the way round either side is as long.
-    s.light_weight = weight * faces_across(length(light)) * smoothstep(0.1, 0.4, abs(turning) * natural_unit) *
-                     (1.0 - smoothstep(0.75 * PI, PI, abs(angle)));
+    // A surface that hardly turns faces the light alike on many stripes, and white would rush across them; one that turns
+    // over and over within a unit has no place for it; and from where a bend is turned away, both ways round are as long.
+    float turns = abs(turning) * natural_unit;
+    s.light_weight = weight * faces_across(length(light)) * smoothstep(0.6, 1.6, turns) *
+                     (1.0 - smoothstep(40.0, 120.0, turns)) * (1.0 - smoothstep(0.75 * PI, PI, abs(angle)));
     return s;
 }
 #endif

@@ -34,7 +34,7 @@ struct Trial {
     Metal metal;
     bool orthographic = true;
     glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< of the cylinder
-    dvec3 light{1.0, 0.3, 1.0};                 ///< towards it; it need not be unit
+    dvec3 light{0.03, 0.3, 1.0};                ///< towards it; its stripe is in view at all distances
     glm::vec3 scale{1.0f};
 };
 
@@ -175,6 +175,7 @@ std::vector<Trial> trials() {
     other.light_stripe = 0.6f;
     return {{"around_axis", metal_of(MetalSource::around_axis)},
             {"texture_u", metal_of(MetalSource::texture_u)},
+            {"curvature", metal_of(MetalSource::curvature)},
             {"texture_u, tilted, perspective, light itself", towards, false, tilted()},
             {"around_axis, tilted, perspective, other range", other, false, tilted()}};
 }
@@ -192,10 +193,10 @@ void expect_closed_form(gpu::Context& context, const Trial& trial) {
         worst_pixel = std::max(worst_pixel, worst.pixel);
         EXPECT_LE(worst.linear, tolerance);
         EXPECT_LE(worst.pixel, tolerance);
-        EXPECT_GT(worst.checked, 300);
+        EXPECT_GT(worst.checked, 250);
         EXPECT_GT(worst.checked_by_rays, 20);
         // White is seen where stripes are not narrower than pixels.
-        EXPECT_GT(worst.brightest, width < 2.0 ? 0.25 : 0.55 + 0.4 * double(trial.metal.light_stripe));
+        EXPECT_GT(worst.brightest, width < 2.0 ? 0.25 : 0.5 + 0.35 * double(trial.metal.light_stripe));
     }
     fmt::print("{}: {:.5f} off the filtered ramp, {:.5f} off the pixel's rays (1/255 = {:.5f})\n", trial.name,
                worst_linear, worst_pixel, tolerance);
