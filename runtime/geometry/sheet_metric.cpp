@@ -145,6 +145,10 @@ SheetMetric::SheetMetric(const SurfaceSheets& sheets)
     lay_axes(sheets, *this);
 }
 
+bool SheetMetric::has_tip(const SurfaceSheets& sheets, std::uint32_t triangle) const {
+    return std::ranges::any_of(sheets.triangles[triangle], [&](std::uint32_t v) { return tip[v] != 0; });
+}
+
 double SheetMetric::transport(std::uint32_t h) const { return head_angle[h] + pi - tail_angle[h]; }
 
 SheetMetric::Complex SheetMetric::to_frame(std::uint32_t vertex, const glm::dvec3& v) const {
