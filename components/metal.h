@@ -46,7 +46,7 @@ struct Metal {
     float beta = 0.7f;
     glm::vec3 axis{0.0f, 1.0f, 0.0f};
     glm::vec3 axis_offset{0.0f};
-    float detail = 0.02f;
+    float detail = 0.1f;
     float crease_angle = 0.6f;
 
     static constexpr std::uint32_t max_count = 256;
@@ -87,7 +87,7 @@ inline void reflect(TypeBuilder<Metal>& type) {
         .doc("where the axis runs, from the middle of the object's bounds (axis sources)")
         .unit("m");
     type.field("detail", &Metal::detail)
-        .doc("least detail whose curvature counts, as a share of the object's size (curvature)")
+        .doc("least detail whose curvature counts, over the size of each smooth part (curvature)")
         .range(0.001, 0.5);
     type.field("crease_angle", &Metal::crease_angle)
         .doc("angle between hard faces from which their stripes are laid apart (curvature)")
