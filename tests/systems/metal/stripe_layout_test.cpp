@@ -74,7 +74,7 @@ TEST(StripeLayoutTest, KeysTellLayoutsApartAndNothingElse) {
     const std::set<std::uint64_t> keys = {key(plain),
                                           key(plain, 1),
                                           key({.sets = 2}),
-                                          key({.detail = 0.1f}),
+                                          key({.detail = 0.3f}),
                                           key({.crease_angle = 1.0f}),
                                           key({.source = MetalSource::texture_u}),
                                           key({.source = MetalSource::along_axis}),
