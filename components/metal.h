@@ -27,7 +27,8 @@ enum class MetalHighlight {
 /// Milled metal of technical illustration (Gooch et al. 1998, section 4.3): "a set of twenty stripes of varying
 /// intensity along the parametric axis of maximum curvature ... random intensities between 0.0 and 0.5 with the stripe
 /// closest to the light source direction overwritten with white. Between the stripe centers the colors are linearly
-/// interpolated." With `cool_to_warm`, the intensity is the object colour of Gooch's tones (figure 10d).
+/// interpolated." With `cool_to_warm`, the intensity is the object colour of Gooch's tones (figure 10d); more of it
+/// than in matte tones, so that the stripes stand out on the cool side, too.
 struct Metal {
     MetalSource source = MetalSource::curvature;
     float sets = 1.0f;
@@ -39,13 +40,13 @@ struct Metal {
     MetalHighlight highlight = MetalHighlight::halfway;
     float tint = 0.0f;
     float cool_to_warm = 0.0f;
-    float b = 0.4f;
-    float y = 0.4f;
-    float alpha = 0.2f;
-    float beta = 0.6f;
+    float b = 0.3f;
+    float y = 0.3f;
+    float alpha = 0.5f;
+    float beta = 0.7f;
     glm::vec3 axis{0.0f, 1.0f, 0.0f};
     glm::vec3 axis_offset{0.0f};
-    float detail = 0.02f;
+    float detail = 0.1f;
     float crease_angle = 0.6f;
 
     static constexpr std::uint32_t max_count = 256;
@@ -86,7 +87,7 @@ inline void reflect(TypeBuilder<Metal>& type) {
         .doc("where the axis runs, from the middle of the object's bounds (axis sources)")
         .unit("m");
     type.field("detail", &Metal::detail)
-        .doc("least detail whose curvature counts, as a share of the object's size (curvature)")
+        .doc("least detail whose curvature counts, over the size of each smooth part (curvature)")
         .range(0.001, 0.5);
     type.field("crease_angle", &Metal::crease_angle)
         .doc("angle between hard faces from which their stripes are laid apart (curvature)")

@@ -15,6 +15,7 @@ constexpr double pi = std::numbers::pi;
 
 constexpr double noise_confidence = 0.1; // below it curvature is that of the mesh's irregularity
 constexpr double full_confidence = 0.5;
+constexpr double follow = 0.3;           // how far a sure direction yields to its neighbours, over the detail
 constexpr double default_strength = 0.1; // over size^2; the first eigenvalue of a sphere is some 20 times this
 
 Complex unit_or(Complex z, Complex otherwise) {
@@ -62,7 +63,8 @@ DirectionField direction_field(const SurfaceSheets& sheets, const SheetMetric& m
     for (std::uint32_t v = 0; v < count; ++v) {
         const double own = metric.sheet_size[sheets.sheet[v]];
         const Complex wanted = 2.0 * curvature.mean[v] * curvature.deviator[v];
-        const double strength = std::pow(confidence[v] / (detail * own), 2), fallback = default_strength / (own * own);
+        const double strength = std::pow(confidence[v] / (follow * detail * own), 2),
+                     fallback = default_strength / (own * own);
         const Complex other = default_line(metric.axis[v], glm::cross(metric.normal[v], metric.axis[v]));
         const Complex sum = metric.mass[v] * (strength * unit_or(wanted, 0.0) + fallback * other);
         for (std::size_t k = 0; k < 2; ++k) system.add(2 * v + k, 2 * v + k, metric.mass[v] * (strength + fallback));

@@ -23,9 +23,7 @@ bool flatten(const SurfaceSheets& sheets, const SheetMetric& metric, const Direc
     const std::uint32_t h = 3 * triangle;
     const double l0 = metric.length[h], l1 = metric.length[h + 1], l2 = metric.length[h + 2];
     flat.area = metric.area[triangle];
-    if (field.half_turns[triangle] != 0) return false;
-    for (const std::uint32_t v : sheets.triangles[triangle])
-        if (metric.tip[v] != 0) return false;
+    if (field.half_turns[triangle] != 0 || metric.has_tip(sheets, triangle)) return false;
     const double longest = std::max({l0, l1, l2});
     if (!(flat.area > 1e-6 * longest * longest)) return false;
     const glm::dvec2 corner[3] = {{0.0, 0.0}, {l0, 0.0}, l2 * at_angle(metric.angle[h])};

@@ -108,15 +108,12 @@ void lay_axes(const SurfaceSheets& sheets, SheetMetric& m) {
     }
 }
 
-/// The sharpest first.
+/// Sharp vertices that stand alone.
 void find_tips(const SurfaceSheets& sheets, SheetMetric& m) {
-    std::vector<std::uint32_t> candidates;
-    for (std::uint32_t v = 0; v < sheets.positions.size(); ++v)
-        if (!sheets.at_border(v) && m.turn[v] < tip_turn) candidates.push_back(v);
-    std::ranges::stable_sort(candidates, [&](std::uint32_t a, std::uint32_t b) { return m.turn[a] < m.turn[b]; });
-    for (const std::uint32_t v : candidates) {
-        bool alone = true;
-        sheets.each_out(v, [&](std::uint32_t h) { alone = alone && m.tip[sheets.head(h)] == 0; });
+    const auto is_sharp = [&](std::uint32_t v) { return !sheets.at_border(v) && m.turn[v] < tip_turn; };
+    for (std::uint32_t v = 0; v < sheets.positions.size(); ++v) {
+        bool alone = is_sharp(v);
+        if (alone) sheets.each_out(v, [&](std::uint32_t h) { alone = alone && !is_sharp(sheets.head(h)); });
         if (!alone) continue;
         m.tip[v] = 1;
         sheets.each_out(v, [&](std::uint32_t h) {
@@ -143,6 +140,10 @@ SheetMetric::SheetMetric(const SurfaceSheets& sheets)
     measure_angles(sheets, *this);
     find_tips(sheets, *this);
     lay_axes(sheets, *this);
+}
+
+bool SheetMetric::has_tip(const SurfaceSheets& sheets, std::uint32_t triangle) const {
+    return std::ranges::any_of(sheets.triangles[triangle], [&](std::uint32_t v) { return tip[v] != 0; });
 }
 
 double SheetMetric::transport(std::uint32_t h) const { return head_angle[h] + pi - tail_angle[h]; }

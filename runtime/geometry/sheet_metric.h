@@ -36,6 +36,7 @@ struct SheetMetric {
 
     explicit SheetMetric(const SurfaceSheets& sheets);
 
+    [[nodiscard]] bool has_tip(const SurfaceSheets& sheets, std::uint32_t triangle) const;
     /// By which angle a vector turns that is carried along a half-edge from the frame of its tail to that of its head.
     [[nodiscard]] double transport(std::uint32_t h) const;
     /// A tangent vector in space as a number in the frame of a vertex, and back.

@@ -11,10 +11,12 @@ namespace hachure::geometry {
 /// How the streaks of brushed metal are laid on a surface.
 struct StripeSettings {
     /// Sets of stripes per half turn of the surface's normal across the streaks, where it is curved, and across the
-    /// object's size (the diagonal of its bounds), where it is flat. Positive.
+    /// object's size (the diagonal of its bounds), where it is flat. Sheets whose direction field has n singularities
+    /// get sqrt(n) times as many, at most 5 times: a coordinate needs room to turn between them. Positive.
     double sets = 1.0;
-    /// The least detail whose curvature counts, over the object's size: curvature is smoothed to this length.
-    double detail = 0.02;
+    /// The least detail whose curvature counts, over the size of each smooth part: curvature is smoothed to this
+    /// length.
+    double detail = 0.1;
     /// Radians. The surface is cut along an edge where its faces turn by more than this and its normals are not shared:
     /// every side has streaks of its own, as parts milled apart have.
     double crease_angle = 0.6;

@@ -88,10 +88,6 @@ std::vector<double> smoothest(const SurfaceSheets& sheets, const SheetMetric& me
     return x;
 }
 
-bool has_tip(const SurfaceSheets& sheets, const SheetMetric& metric, std::uint32_t triangle) {
-    return std::ranges::any_of(sheets.triangles[triangle], [&](std::uint32_t v) { return metric.tip[v] != 0; });
-}
-
 /// Whether going around a triangle leads back to the same value.
 bool closes(const StripePhase& phase, std::uint32_t triangle) {
     const std::uint32_t h = 3 * triangle;
@@ -158,7 +154,7 @@ StripePhase stripe_phase(const SurfaceSheets& sheets, const SheetMetric& metric,
             phase.jump[back] = -phase.sign[h] * phase.jump[h];
     }
     for (std::uint32_t t = 0; t < sheets.triangles.size(); ++t)
-        phase.whole.push_back(has_tip(sheets, metric, t) || (field.half_turns[t] == 0 && closes(phase, t)) ? 1 : 0);
+        phase.whole.push_back(metric.has_tip(sheets, t) || (field.half_turns[t] == 0 && closes(phase, t)) ? 1 : 0);
     return phase;
 }
 

@@ -12,8 +12,9 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double evenness = 0.05;   // of the rate, against the curl
-constexpr double loyalty = 0.5;     // to the rate by curvature, over the square of the sheet's size
+constexpr double evenness = 0.05; // of the rate, against the curl
+constexpr double loyalty = 0.5;   // to the rate by curvature, over the square of the sheet's size
+constexpr double most_crowded = 5.0;
 constexpr double most_graded = 2.0; // in the logarithm: a factor of 7.4
 
 /// The rate from curvature: close to the larger of two, and smooth.
@@ -21,6 +22,17 @@ double wanted_rate(double curvature, double size, double sets) {
     const double turning = curvature / std::numbers::pi, flat = 1.0 / size;
     const double most = std::max(turning, flat), least = std::min(turning, flat);
     return sets * most * std::pow(1.0 + std::pow(least / most, 8), 0.125);
+}
+
+/// Per sheet: how many times as many sets. Lines turn back around a singularity, so that between two there must be room
+/// for whole sets: more of them the closer singularities are.
+std::vector<double> crowding(const SurfaceSheets& sheets, const SheetMetric& metric, const DirectionField& field) {
+    std::vector<double> result(sheets.sheets);
+    for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
+        if (field.half_turns[t] != 0 && !metric.has_tip(sheets, static_cast<std::uint32_t>(t)))
+            result[sheets.sheet[sheets.triangles[t][0]]] += 1.0;
+    for (double& count : result) count = std::clamp(std::sqrt(count), 1.0, most_crowded);
+    return result;
 }
 
 /// Adds weight * (sum of c_k s_k - d)^2.
@@ -53,8 +65,9 @@ std::vector<double> stripe_rates(const SurfaceSheets& sheets, const SheetMetric&
     const std::size_t count = sheets.positions.size();
     SparseSystem system(order, 1);
     std::vector<double> right(count), wanted(count);
+    const std::vector<double> more = crowding(sheets, metric, field);
     for (std::uint32_t v = 0; v < count; ++v) {
-        wanted[v] = std::log(wanted_rate(curvature.largest(v), metric.size, sets));
+        wanted[v] = std::log(wanted_rate(curvature.largest(v), metric.size, sets * more[sheets.sheet[v]]));
         const double weight = loyalty * metric.mass[v] / std::pow(metric.sheet_size[sheets.sheet[v]], 2);
         system.add(v, v, weight);
         right[v] = weight * wanted[v];

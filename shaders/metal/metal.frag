@@ -35,10 +35,13 @@ void main() {
     Stripes stripes = stripes_here(n, faced_by_white(l));
     Place at = place_of(stripes.x - 0.5); // the first stripe's centre is half a stripe from where its set begins
     float ramp = ramp_mean + stripes.weight * filtered_ramp(footprint_of(stripes.dx, stripes.dy, 1e5), at);
+    vec3 color = stripe_color * ramp;
     // Past a whole turn every pixel holds the same white.
     Footprint turn = footprint_of(stripes.dx, stripes.dy, stripes.turn);
-    vec2 white = light_stripe * stripes.light_weight * filtered_light(turn, at, stripes.towards_light);
-    vec3 color = stripe_color * (ramp - white.y) + white.x;
+    if (light_is_near(turn, stripes.towards_light)) {
+        vec2 white = light_stripe * light_weight(stripes) * filtered_light(turn, at, stripes.towards_light);
+        color = stripe_color * (ramp - white.y) + white.x;
+    }
 
 #ifdef COOL_TO_WARM
     // The stripes are the object colour of equation 3, the weight that of equation 2.

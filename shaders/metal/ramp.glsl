@@ -24,18 +24,25 @@ Footprint footprint_of(float a, float b, float largest) {
 
 // A place among the stripes, in two parts so that far from 0 no digits are lost.
 struct Place {
-    float stripe; // whole: the centre before it
+    float stripe; // whole: the centre before it, in the first period
     float within; // [0, 1)
 };
 
 Place place_of(float x) {
-    float stripe = floor(x);
-    return Place(stripe, x - stripe);
+    float stripe = floor(x), within = x - stripe, count = float(knot_count);
+    return Place(stripe - count * floor(stripe / count), within);
+}
+
+// Of a stripe within a period of the first one's.
+vec4 near_knot(float stripe) {
+    int i = int(stripe);
+    i += i < 0 ? knot_count : i >= knot_count ? -knot_count : 0;
+    return knots[clamp(i, 0, knot_count - 1)];
 }
 
 vec4 knot(float stripe) {
     float count = float(knot_count);
-    return knots[clamp(int(stripe - count * floor(stripe / count)), 0, knot_count - 1)];
+    return near_knot(stripe - count * floor(stripe / count));
 }
 
 // Average of max(0, X - d), where X is distributed as the footprint around 0.
@@ -57,8 +64,8 @@ float second_antiderivative(Place at, float by) {
 float filtered_ramp(Footprint f, Place at) {
     if (f.low + f.high <= 2.0) {
         // At most the two ends of the piece lie within: the piece, and what the stripes bend away from it at each end.
-        vec4 piece = knot(at.stripe);
-        float before = knot(at.stripe - 1.0).y, after = knot(at.stripe + 1.0).y;
+        vec4 piece = near_knot(at.stripe);
+        float before = near_knot(at.stripe - 1.0).y, after = near_knot(at.stripe + 1.0).y;
         return piece.x + piece.y * at.within + (piece.y - before) * beyond(f, at.within) +
                (after - piece.y) * beyond(f, 1.0 - at.within);
     }
@@ -71,12 +78,14 @@ float filtered_ramp(Footprint f, Place at) {
     return (right - left) / (f.high * low);
 }
 
+// Whether the light's stripe lies so near that the footprint may hold some of its white.
+bool light_is_near(Footprint f, float towards_light) { return abs(towards_light) < 0.5 * (f.low + f.high) + 2.5; }
+
 // The stripe that faces the light lies `towards_light` stripes from the place, as a rule between two centres. The one
 // whose centre is nearest is white; its neighbours are mixed with white by how near the light is to them, so that white
 // moves on to the next without a jump. x: average over the footprint of how white the surface is; y: the average of what
 // c has there, so that white replaces it.
 vec2 filtered_light(Footprint f, Place at, float towards_light) {
-    if (abs(towards_light) > 0.5 * (f.low + f.high) + 2.5) return vec2(0.0);
     float light = at.within + towards_light, nearest = round(light);
     float off = light - nearest, d = at.within - nearest;
     // The average of a hat around 0 is the second difference of `beyond`.

@@ -19,8 +19,9 @@ struct Stripes {
     float dx, dy;        // how far it changes from pixel to pixel
     float weight;        // how much of the pattern is drawn
     float towards_light; // stripes from here to the one that faces the light
-    float light_weight;  // how much of that is drawn
     float turn;          // stripes in a whole turn of the surface
+    vec2 light;          // the light's direction across the streaks, in the plane of angles
+    float bend;          // how the surface lies or turns, as light_weight() below reads it
 };
 
 // The light's stripe fades out where the light shines along the streaks, which then face it alike: `across` is the
@@ -50,10 +51,13 @@ Stripes stripes_here(vec3 n, vec3 l) {
     float outwards = dot(normal.xy, about_axis * inversesqrt(square));
     float from_light = scale * atan(light.y, light.x) + (outwards < 0.0 ? 0.5 * s.turn : 0.0) - s.x;
     s.towards_light = from_light - s.turn * round(from_light / s.turn);
-    // Faces across the axis face the light alike at every angle.
-    s.light_weight = faces_across(length(light.xy)) * smoothstep(0.0, 0.5, abs(outwards));
+    s.light = light.xy;
+    s.bend = abs(outwards);
     return s;
 }
+
+// How much of the light's stripe is drawn. Faces across the axis face the light alike at every angle.
+float light_weight(Stripes s) { return faces_across(length(s.light)) * smoothstep(0.0, 0.5, s.bend); }
 #else
 Stripes stripes_here(vec3 n, vec3 l) {
     Stripes s;
@@ -70,10 +74,17 @@ Stripes stripes_here(vec3 n, vec3 l) {
     float steep = abs(radians) > 1e-9 ? 1.0 / radians : 0.0;
     s.turn = max(2.0 * PI * abs(steep), 1.0);
     s.towards_light = angle * steep;
-    // A surface that hardly turns faces the light alike on all its stripes, or on none; and from where a sharp bend is
-    // turned away from the light, the way round either side is as long.
-    s.light_weight = weight * faces_across(length(light)) * smoothstep(0.1, 0.4, abs(turning) * natural_unit) *
-                     (1.0 - smoothstep(0.75 * PI, PI, abs(angle)));
+    s.light = light;
+    s.bend = abs(turning) * natural_unit;
     return s;
+}
+
+// How much of the light's stripe is drawn. A surface that hardly turns faces the light alike on many stripes, and white
+// would rush across them; one that turns over and over within a unit has no place for it; and from where a bend is turned
+// away, both ways round are as long.
+float light_weight(Stripes s) {
+    float cosine = s.light.y * inversesqrt(max(dot(s.light, s.light), 1e-30));
+    return s.weight * faces_across(length(s.light)) * smoothstep(0.6, 1.6, s.bend) *
+           (1.0 - smoothstep(15.0, 40.0, s.bend)) * smoothstep(-1.0, -0.7071, cosine);
 }
 #endif

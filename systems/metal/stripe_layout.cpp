@@ -1,3 +1,4 @@
+#include <hachure/runtime/assets/stripe_cache.h>
 #include <hachure/runtime/geometry/weld.h>
 #include <hachure/runtime/gpu/frame_graph_key.h>
 #include <hachure/systems/metal/stripe_layout.h>
@@ -122,7 +123,8 @@ StripeMesh around_axis(const SurfaceMesh& mesh, const Metal& metal) {
 StripeMesh by_curvature(const SurfaceMesh& mesh, const Metal& metal) {
     const geometry::StripeSettings settings{
         .sets = double{metal.sets}, .detail = double{metal.detail}, .crease_angle = double{metal.crease_angle}};
-    return geometry::make_stripe_mesh(mesh.positions, mesh.normals, mesh.indices, settings);
+    return assets::cached_stripe_mesh(mesh.positions, mesh.normals, mesh.indices, settings,
+                                      assets::user_cache_folder());
 }
 
 } // namespace

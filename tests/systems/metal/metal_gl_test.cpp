@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "../../support/drawn_scene.h"
@@ -34,7 +35,7 @@ struct Trial {
     Metal metal;
     bool orthographic = true;
     glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< of the cylinder
-    dvec3 light{1.0, 0.3, 1.0};                 ///< towards it; it need not be unit
+    dvec3 light{0.03, 0.3, 1.0};                ///< towards it; its stripe is in view at all distances
     glm::vec3 scale{1.0f};
 };
 
@@ -147,14 +148,14 @@ Worst compare(gpu::Context& context, const Trial& trial, double width) {
     const auto [phase, direction] = phase_and_direction(trial, mesh);
     const Reference reference(trial, camera, place, phase, direction);
     Worst worst;
-    for (int row = 0; row < canvas.height; row += 3)
+    for (int row = 0; row < canvas.height; row += 5)
         for (int column = 0; column < canvas.width; ++column) {
             if (!reference.inside(column, row)) continue;
             const double drawn = double(color.f32()[3 * (row * canvas.width + column)]);
             worst.linear = std::max(worst.linear, std::abs(drawn - reference.by_derivatives(column, row)));
             worst.brightest = std::max(worst.brightest, drawn);
             ++worst.checked;
-            if (row % 9 != 0 || column % 3 != 0 || reference.meet(column, row)->facing < 0.7071) continue;
+            if (row % 10 != 0 || column % 3 != 0 || reference.meet(column, row)->facing < 0.7071) continue;
             worst.pixel = std::max(worst.pixel, std::abs(drawn - reference.by_rays(column, row)));
             ++worst.checked_by_rays;
         }
@@ -173,8 +174,11 @@ std::vector<Trial> trials() {
     other.low = 0.9f;
     other.high = 0.2f;
     other.light_stripe = 0.6f;
-    return {{"around_axis", metal_of(MetalSource::around_axis)},
-            {"texture_u", metal_of(MetalSource::texture_u)},
+    // Turned so that the seams of angle and texture coordinate are in the middle of the picture.
+    const glm::quat seam_in_front = glm::angleAxis(-1.57f, glm::vec3(0, 1, 0));
+    return {{"around_axis", metal_of(MetalSource::around_axis), true, seam_in_front},
+            {"texture_u", metal_of(MetalSource::texture_u), true, seam_in_front},
+            {"curvature", metal_of(MetalSource::curvature)},
             {"texture_u, tilted, perspective, light itself", towards, false, tilted()},
             {"around_axis, tilted, perspective, other range", other, false, tilted()}};
 }
@@ -183,26 +187,97 @@ constexpr std::array widths{0.2, 0.35, 0.7, 1.0, 2.0, 5.0, 20.0};
 
 using MetalTest = GlTest;
 
-void expect_closed_form(gpu::Context& context, const Trial& trial) {
+/// The colours of a picture that differs from another in tint or tone are made of that one's greys.
+TEST_P(MetalTest, TintAndTonesAreMadeOfTheStripes) {
+    SurfaceMaterial brass;
+    brass.base_color = {0.8f, 0.6f, 0.2f, 1.0f};
+    const auto draw = [&](const Metal& metal, bool normals) {
+        MetalScene scene(context(), canvas, surface_mesh(geometry::torus(1.0, 0.4, 96, 48), brass), metal, {1, 1, 0},
+                         1.5f, {.rotation = tilted()});
+        if (!normals) return scene.draw();
+        scene.scene.renderer().request_aov("normal");
+        scene.scene.renderer().render_frame();
+        return scene.scene.renderer().read_aov("normal");
+    };
+    Metal grey{.source = MetalSource::texture_v, .seed = 4}, stripes = grey, tinted = grey, warm = grey, half = grey;
+    stripes.light_stripe = 0.0f;
+    tinted.tint = 0.75f;
+    warm.cool_to_warm = 1.0f;
+    half.cool_to_warm = 0.5f;
+    const assets::Image c = draw(grey, false), dull = draw(stripes, false), t = draw(tinted, false),
+                        w = draw(warm, false), h = draw(half, false), n = draw(grey, true);
+    const dvec3 l = glm::normalize(dvec3(1, 1, 0)), k_d(0.8, 0.6, 0.2);
+    int checked = 0, white = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(canvas.width * canvas.height); ++i) {
+        const dvec3 normal(n.f32()[3 * i], n.f32()[3 * i + 1], n.f32()[3 * i + 2]);
+        if (glm::length(normal) < 0.5) continue;
+        ++checked;
+        const double intensity = double(c.f32()[3 * i]), without = double(dull.f32()[3 * i]);
+        EXPECT_GE(without, 0.0);
+        EXPECT_LE(without, 0.5);
+        const double weight = 0.5 + 0.5 * glm::dot(normal, l);
+        const dvec3 cool = dvec3(0, 0, double(warm.b)) + double(warm.alpha) * intensity;
+        const dvec3 tone =
+            weight * (dvec3(double(warm.y), double(warm.y), 0) + double(warm.beta) * intensity) + (1.0 - weight) * cool;
+        white += intensity > 0.9 ? 1 : 0;
+        for (int channel = 0; channel < 3; ++channel) {
+            const std::size_t at = 3 * i + static_cast<std::size_t>(channel);
+            EXPECT_NEAR(double(w.f32()[at]), tone[channel], 1e-5);
+            EXPECT_NEAR(double(h.f32()[at]), 0.5 * (tone[channel] + intensity), 1e-5);
+            // Only stripes are tinted: away from the white one.
+            const double least = intensity == without ? intensity * (0.25 + 0.75 * k_d[channel]) : 0.0;
+            const double most = intensity == without ? least : intensity;
+            EXPECT_GE(double(t.f32()[at]), least - 1e-5);
+            EXPECT_LE(double(t.f32()[at]), most + 1e-5);
+        }
+    }
+    EXPECT_GT(checked, 3000);
+    EXPECT_GT(white, 50);
+}
+
+/// Far away every pixel shows the mean of the stripes.
+TEST_P(MetalTest, FarAwayTheMeanIsLeft) {
+    for (const MetalSource source : {MetalSource::texture_u, MetalSource::around_axis, MetalSource::along_axis}) {
+        const Metal metal{.source = source, .sets = 400, .seed = 3, .light_stripe = 0.0f};
+        MetalScene scene(context(), canvas, surface_mesh(geometry::cylinder(1.0, 4.0, 256)), metal, {1, 1, 1}, 4.0f,
+                         {.rotation = tilted()});
+        const assets::Image picture = scene.draw();
+        const std::vector<double> set = intensities_of(metal);
+        double mean = 0.0;
+        for (const double c : set) mean += c / static_cast<double>(set.size());
+        int checked = 0;
+        // In the middle: beyond the ends and at the outline there is the background.
+        for (int row = canvas.height / 2 - 8; row < canvas.height / 2 + 8; ++row)
+            for (int column = canvas.width / 2 - 8; column < canvas.width / 2 + 8; ++column) {
+                EXPECT_NEAR(double(picture.f32()[3 * (row * canvas.width + column)]), mean, 0.02);
+                ++checked;
+            }
+        EXPECT_EQ(checked, 256);
+    }
+}
+
+void expect_closed_form(gpu::Context& context, const Trial& trial, bool some) {
     double worst_linear = 0.0, worst_pixel = 0.0;
-    for (const double width : widths) {
+    for (const double width : some ? std::span<const double>(widths).first(1) : std::span<const double>(widths)) {
         SCOPED_TRACE(fmt::format("{}: stripes of {} px", trial.name, width));
         const Worst worst = compare(context, trial, width);
         worst_linear = std::max(worst_linear, worst.linear);
         worst_pixel = std::max(worst_pixel, worst.pixel);
         EXPECT_LE(worst.linear, tolerance);
         EXPECT_LE(worst.pixel, tolerance);
-        EXPECT_GT(worst.checked, 300);
-        EXPECT_GT(worst.checked_by_rays, 20);
+        EXPECT_GT(worst.checked, 120);
+        EXPECT_GT(worst.checked_by_rays, 8);
         // White is seen where stripes are not narrower than pixels.
-        EXPECT_GT(worst.brightest, width < 2.0 ? 0.25 : 0.55 + 0.4 * double(trial.metal.light_stripe));
+        EXPECT_GT(worst.brightest, width < 2.0 ? 0.25 : 0.5 + 0.35 * double(trial.metal.light_stripe));
     }
     fmt::print("{}: {:.5f} off the filtered ramp, {:.5f} off the pixel's rays (1/255 = {:.5f})\n", trial.name,
                worst_linear, worst_pixel, tolerance);
 }
 
 TEST_P(MetalTest, CylinderMatchesTheFilteredRamp) {
-    for (const Trial& trial : trials()) expect_closed_form(context(), trial);
+    // The reference takes its time: the other back ends draw the narrowest stripes.
+    const bool some = GetParam() != gpu::Backend::egl;
+    for (const Trial& trial : trials()) expect_closed_form(context(), trial, some);
 }
 
 HACHURE_INSTANTIATE_GL_TESTS(MetalTest);
