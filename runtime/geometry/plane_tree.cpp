@@ -107,6 +107,10 @@ PlaneTree::PlaneTree(std::span<const glm::vec4> planes, std::span<const std::uin
             indices_[at * per_item_ + k] = items_[at] == left_out ? 0u : items[items_[at] * per_item_ + k];
     planes_.resize(blocks * per_item_);
     flips_.resize(blocks, 0);
+    used_.resize(blocks, 0);
+    for (std::size_t at = 0; at < items_.size(); ++at)
+        if (items_[at] != left_out)
+            used_[at / width] = static_cast<std::uint8_t>(used_[at / width] | (1u << (at % width)));
     for (std::size_t nodes = blocks; nodes > 0; nodes = groups(nodes, width)) {
         // Room for the children of each: the last level has one element, of the root's children.
         levels_.emplace_back(groups(nodes, width));
@@ -208,7 +212,7 @@ void PlaneTree::fit_node(std::size_t level, std::size_t node) {
 std::size_t PlaneTree::bytes() const {
     std::size_t boxes = 0;
     for (const std::vector<Boxes>& level : levels_) boxes += level.size() * sizeof(Boxes);
-    return boxes + planes_.size() * sizeof(Planes) + flips_.size() +
+    return boxes + planes_.size() * sizeof(Planes) + flips_.size() + used_.size() +
            (items_.size() + indices_.size()) * sizeof(std::uint32_t);
 }
 

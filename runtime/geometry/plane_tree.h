@@ -86,7 +86,8 @@ private:
     };
 
     void mark(const glm::vec4& eye, Scratch& scratch) const;
-    void mark_block(const glm::vec4& eye, std::size_t block, Scratch& scratch) const;
+    template <std::size_t planes_of_item>
+    void mark_blocks(const glm::vec4& eye, std::span<const std::uint32_t> blocks, Scratch& scratch) const;
     [[nodiscard]] float slack(const glm::vec4& eye, const glm::vec4& from_center) const;
     void sort_items(std::span<const glm::vec4> planes, std::span<const std::uint32_t> items);
     void fit_block(std::size_t block, std::span<const glm::vec4> planes, Largest& largest);
@@ -99,6 +100,7 @@ private:
     std::vector<std::uint32_t> indices_{};     ///< by place, `per_item_` each: which planes
     std::vector<Planes> planes_{};             ///< by block, `per_item_` each
     std::vector<std::uint8_t> flips_{};        ///< by block: a bit per item whose second plane is flipped
+    std::vector<std::uint8_t> used_{};         ///< by block: a bit per item that there is
     std::vector<std::vector<Boxes>> levels_{}; ///< [0]: of blocks; the last has one element
 };
 

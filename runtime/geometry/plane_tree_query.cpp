@@ -33,11 +33,24 @@ std::uint32_t mask_of(const QuadBits& flags) {
 #endif
 }
 
-/// What `glm::dot(plane, eye)` computes, in its order, so that nothing is rounded differently.
-Quad dot(const float (*element)[PlaneTree::width], std::size_t lane, const glm::vec4& eye) {
-    const Quad x = load(element[0] + lane) * eye.x, y = load(element[1] + lane) * eye.y;
-    const Quad z = load(element[2] + lane) * eye.z, w = load(element[3] + lane) * eye.w;
-    return (x + y) + (z + w);
+/// An eye, each element in all lanes.
+struct EyeLanes {
+    Quad x, y, z, w;
+
+    explicit EyeLanes(const glm::vec4& eye)
+        : x(Quad{} + eye.x), y(Quad{} + eye.y), z(Quad{} + eye.z), w(Quad{} + eye.w) {}
+};
+
+/// A bit per plane of a block that sees the eye from its front. The sum is that of `glm::dot(plane, eye)`, in its
+/// order, so that nothing is rounded differently.
+std::uint32_t fronts(const float (&element)[4][PlaneTree::width], const EyeLanes& eye) {
+    std::uint32_t bits = 0;
+    for (std::size_t lane = 0; lane < PlaneTree::width; lane += 4) {
+        const Quad x = load(element[0] + lane) * eye.x, y = load(element[1] + lane) * eye.y;
+        const Quad z = load(element[2] + lane) * eye.z, w = load(element[3] + lane) * eye.w;
+        bits |= mask_of((x + y) + (z + w) > 0.0f) << lane;
+    }
+    return bits;
 }
 
 } // namespace
@@ -98,31 +111,39 @@ void PlaneTree::mark(const glm::vec4& eye, Scratch& scratch) const {
         count = found;
     }
     scratch.tested_items = count * width;
-    for (std::size_t n = 0; n < count; ++n) {
-        if (n + ahead < count)
-            for (std::size_t k = 0; k < per_item_; ++k) prefetch(planes_[scratch.nodes[n + ahead] * per_item_ + k]);
-        mark_block(eye, scratch.nodes[n], scratch);
-    }
+    const std::span<const std::uint32_t> blocks(scratch.nodes.data(), count);
+    if (per_item_ == 2)
+        mark_blocks<2>(eye, blocks, scratch);
+    else
+        mark_blocks<3>(eye, blocks, scratch);
 }
 
-void PlaneTree::mark_block(const glm::vec4& eye, std::size_t block, Scratch& scratch) const {
-    const Planes* planes = &planes_[block * per_item_];
-    std::uint32_t front[3] = {0, 0, 0};
-    for (std::size_t k = 0; k < per_item_; ++k)
-        for (std::size_t lane = 0; lane < width; lane += 4)
-            front[k] |= mask_of(dot(planes[k].element, lane, eye) > 0.0f) << lane;
-    front[1] ^= flips_[block];
-    if (per_item_ == 2) front[2] = front[1];
-    std::uint32_t found = (front[0] | front[1] | front[2]) & ~(front[0] & front[1] & front[2]);
-    for (; found != 0; found &= found - 1) {
-        const int lane = std::countr_zero(found);
-        const std::uint32_t item = items_[block * width + static_cast<std::size_t>(lane)];
-        if (item == left_out) continue;
-        const std::uint64_t bit = std::uint64_t{1} << (item % 64);
-        Bits& bits = scratch.bits[item / 64];
-        bits.found |= bit;
-        if (((front[0] >> lane) & 1u) != 0) bits.front |= bit;
-        scratch.touched[item / 4096] |= std::uint64_t{1} << (item / 64 % 64);
+template <std::size_t planes_of_item>
+void PlaneTree::mark_blocks(const glm::vec4& eye, std::span<const std::uint32_t> blocks, Scratch& scratch) const {
+    const EyeLanes lanes(eye);
+    Bits* const bits = scratch.bits.data();
+    for (std::size_t n = 0; n < blocks.size(); ++n) {
+        if (n + ahead < blocks.size()) {
+            const std::size_t later = blocks[n + ahead];
+            for (std::size_t k = 0; k < planes_of_item; ++k) prefetch(planes_[later * planes_of_item + k]);
+            prefetch(items_[later * width]);
+        }
+        const std::size_t block = blocks[n];
+        const Planes* planes = &planes_[block * planes_of_item];
+        const std::uint32_t first = fronts(planes[0].element, lanes);
+        const std::uint32_t second = fronts(planes[1].element, lanes) ^ flips_[block];
+        std::uint32_t found = first ^ second;
+        if constexpr (planes_of_item == 3) found |= first ^ fronts(planes[2].element, lanes);
+        found &= used_[block];
+        const std::uint32_t* items = &items_[block * width];
+        for (; found != 0; found &= found - 1) {
+            const int lane = std::countr_zero(found);
+            const std::uint32_t item = items[lane];
+            Bits& word = bits[item / 64];
+            word.found |= std::uint64_t{1} << (item % 64);
+            word.front |= static_cast<std::uint64_t>((first >> lane) & 1u) << (item % 64);
+            scratch.touched[item / 4096] |= std::uint64_t{1} << (item / 64 % 64);
+        }
     }
 }
 

@@ -127,15 +127,20 @@ void SuggestiveContoursJob::validate() const {
                    "indices must be in range");
     HACHURE_ASSERT(std::ranges::all_of(candidates, [&](std::uint32_t f) { return f < indices.size() / 3; }),
                    "candidates are triangles");
+    HACHURE_ASSERT(std::ranges::all_of(vertices, in_range) && (vertices.empty() || !candidates.empty()),
+                   "the vertices of candidates");
     HACHURE_ASSERT(options.size > 0.0f, "a size");
 }
 
 void SuggestiveContoursJob::run() {
     radial.resize(positions.size());
     constexpr std::size_t chunk = 16384;
-    parallel_for((positions.size() + chunk - 1) / chunk, [this](std::size_t task) {
-        for (std::size_t v = task * chunk; v < std::min(positions.size(), (task + 1) * chunk); ++v)
-            radial[v] = radial_of(*this, v);
+    const std::size_t count = vertices.empty() ? positions.size() : vertices.size();
+    parallel_for((count + chunk - 1) / chunk, [&](std::size_t task) {
+        for (std::size_t i = task * chunk; i < std::min(count, (task + 1) * chunk); ++i) {
+            const std::size_t vertex = vertices.empty() ? i : vertices[i];
+            radial[vertex] = radial_of(*this, vertex);
+        }
     });
     segments.clear();
     const Limits limits(options);
@@ -159,6 +164,18 @@ std::vector<std::uint32_t> suggestive_candidates(std::span<const std::uint32_t> 
         if (convex < 3 && concave < 3) faces.push_back(face);
     }
     return faces;
+}
+
+std::vector<std::uint32_t> candidate_vertices(std::span<const std::uint32_t> candidates,
+                                              std::span<const std::uint32_t> indices,
+                                              std::span<const std::uint32_t> weld) {
+    std::vector<bool> used(weld.size(), false);
+    for (const std::uint32_t face : candidates)
+        for (std::size_t k = 0; k < 3; ++k) used[weld[indices[3 * static_cast<std::size_t>(face) + k]]] = true;
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t vertex = 0; vertex < used.size(); ++vertex)
+        if (used[vertex]) vertices.push_back(vertex);
+    return vertices;
 }
 
 } // namespace hachure::geometry

@@ -45,6 +45,8 @@ struct SuggestiveContoursJob {
     std::span<const glm::vec4> derivatives{}; ///< as CurvatureDerivativeJob gives them
     /// Optional: the triangles to look at, ascending, as `suggestive_candidates` gives them: no others can have a line.
     std::span<const std::uint32_t> candidates{};
+    /// Optional, with candidates only: their corners, as `candidate_vertices` gives them; no others are computed.
+    std::span<const std::uint32_t> vertices{};
     glm::vec4 eye{0.0f}; ///< in the mesh's space: a place (w = 1) or a direction towards the eye (w = 0)
     SuggestiveOptions options{};
 
@@ -67,5 +69,10 @@ struct SuggestiveContoursJob {
 [[nodiscard]] std::vector<std::uint32_t> suggestive_candidates(std::span<const std::uint32_t> indices,
                                                                std::span<const std::uint32_t> weld,
                                                                std::span<const glm::vec2> curvatures);
+
+/// The vertices that stand for the corners of these triangles, ascending.
+[[nodiscard]] std::vector<std::uint32_t> candidate_vertices(std::span<const std::uint32_t> candidates,
+                                                            std::span<const std::uint32_t> indices,
+                                                            std::span<const std::uint32_t> weld);
 
 } // namespace hachure::geometry

@@ -179,6 +179,24 @@ TEST(PlaneTree, FollowsAMeshThatDeforms) {
     }
 }
 
+TEST(SelectEdges, IsTheSameOnSeveralThreads) {
+    const int threads = thread_limit();
+    set_thread_limit(4);
+    Both both{LineMesh(battered(irregular_torus(1.0, 0.4, 300, 150, 0.33, 5), 4))};
+    std::vector<glm::vec4> planes(both.mesh.planes.size());
+    face_planes_in_parallel(both.mesh.positions, both.mesh.indices, planes);
+    EXPECT_EQ(planes, both.mesh.planes);
+    for (const glm::vec4& eye : random_eyes(20, 6)) {
+        ASSERT_TRUE(both.agree(eye));
+        const std::vector<ChosenEdge> expected(both.chosen.begin(),
+                                               both.chosen.begin() + static_cast<std::ptrdiff_t>(both.loop.count));
+        std::ranges::fill(both.chosen, ChosenEdge{});
+        select_in_parallel(both.loop);
+        ASSERT_TRUE(std::ranges::equal(expected, std::span(both.chosen).first(both.loop.count)));
+    }
+    set_thread_limit(threads);
+}
+
 TEST(PlaneTree, IsTheSameOnAnyNumberOfThreads) {
     const int threads = thread_limit();
     std::vector<std::size_t> looked_at;

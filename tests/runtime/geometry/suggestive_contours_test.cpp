@@ -129,10 +129,13 @@ TEST(SuggestiveContours, FewerTrianglesToLookAtChangeNothing) {
     const LineMesh mesh(irregular_torus(1.0, 0.4, 160, 64, 0.2, 3), true);
     const std::vector<std::uint32_t> candidates = suggestive_candidates(mesh.indices, mesh.weld, mesh.curvatures);
     EXPECT_LT(candidates.size(), mesh.indices.size() / 3 * 7 / 10);
+    const std::vector<std::uint32_t> vertices = candidate_vertices(candidates, mesh.indices, mesh.weld);
+    EXPECT_LT(vertices.size(), mesh.positions.size() * 8 / 10);
     std::size_t found = 0;
     for (const glm::vec4& eye : eyes()) {
         SuggestiveContoursJob all = job_of(mesh, eye, {.angle = 0.1f, .derivative = 0.1f}), some = all;
         some.candidates = candidates;
+        some.vertices = vertices;
         some.validate();
         all.run();
         some.run();
