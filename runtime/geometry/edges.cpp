@@ -2,9 +2,11 @@
 #include <hachure/runtime/geometry/edges.h>
 #include <hachure/runtime/geometry/sliver_bridge.h>
 #include <hachure/runtime/geometry/topology.h>
+#include <hachure/runtime/parallel.h>
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hachure::geometry {
@@ -67,6 +69,15 @@ void face_planes(std::span<const glm::vec3> positions, std::span<const std::uint
         planes[f] = length > 0.0 ? glm::vec4(glm::dvec4(n / length, -glm::dot(n / length, (a + b + c) / 3.0)))
                                  : glm::vec4(0.0f);
     }
+}
+
+void face_planes_in_parallel(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                             std::span<glm::vec4> planes) {
+    constexpr std::size_t chunk = 16384;
+    parallel_for((planes.size() + chunk - 1) / chunk, [&](std::size_t task) {
+        const std::size_t first = task * chunk, count = std::min(chunk, planes.size() - first);
+        face_planes(positions, indices.subspan(3 * first, 3 * count), planes.subspan(first, count));
+    });
 }
 
 } // namespace hachure::geometry

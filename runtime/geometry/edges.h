@@ -51,4 +51,8 @@ struct EdgeTable {
 void face_planes(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                  std::span<glm::vec4> planes);
 
+/// The same on several threads.
+void face_planes_in_parallel(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                             std::span<glm::vec4> planes);
+
 } // namespace hachure::geometry

@@ -99,8 +99,11 @@ void PlaneTree::mark(const glm::vec4& eye, Scratch& scratch) const {
     }
     scratch.tested_items = count * width;
     for (std::size_t n = 0; n < count; ++n) {
-        if (n + ahead < count)
-            for (std::size_t k = 0; k < per_item_; ++k) prefetch(planes_[scratch.nodes[n + ahead] * per_item_ + k]);
+        if (n + ahead < count) {
+            const std::size_t block = scratch.nodes[n + ahead];
+            for (std::size_t k = 0; k < per_item_; ++k) prefetch(planes_[block * per_item_ + k]);
+            prefetch(items_[block * width]);
+        }
         mark_block(eye, scratch.nodes[n], scratch);
     }
 }

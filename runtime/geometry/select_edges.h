@@ -30,7 +30,15 @@ struct SelectEdgesJob {
     /// Asserts that the sizes fit and that the edges' faces exist.
     void validate() const;
     void run();
+
+    /// Parts of `run`, each fit for a thread of its own: the faces and then the edges of a range. What a range of edges
+    /// chooses begins at chosen[first]; returned is how many they are.
+    void run_faces(std::size_t first, std::size_t last);
+    [[nodiscard]] std::size_t run_edges(std::size_t first, std::size_t last);
 };
+
+/// `job.run()` on several threads, with the same result.
+void select_in_parallel(SelectEdgesJob& job);
 
 /// Whether nothing behind a back face can be seen: no edge is a border or has faces that disagree about their sides.
 [[nodiscard]] bool is_closed(std::span<const Edge> edges);

@@ -46,6 +46,24 @@ void add_triangle(SmoothSilhouettesJob& job, std::uint32_t face) {
     job.segments.push_back(segment);
 }
 
+/// The triangles found lie anywhere in memory, and so do their corners: each step towards these is asked for some
+/// triangles before it is needed.
+void prefetch_ahead(const SmoothSilhouettesJob& job, std::size_t i) {
+    const auto corner = [&](std::size_t ahead, std::size_t k) -> const std::uint32_t& {
+        return job.indices[3 * static_cast<std::size_t>(job.faces[i + ahead]) + k];
+    };
+    constexpr std::size_t step = 8;
+    if (i + 3 * step < job.faces.size()) __builtin_prefetch(&corner(3 * step, 0));
+    if (i + 2 * step < job.faces.size())
+        for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(&job.weld[corner(2 * step, k)]);
+    if (i + step < job.faces.size())
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = job.weld[corner(step, k)];
+            __builtin_prefetch(&job.planes[vertex]);
+            __builtin_prefetch(&job.positions[vertex]);
+        }
+}
+
 } // namespace
 
 void vertex_planes(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
@@ -67,10 +85,16 @@ void SmoothSilhouettesJob::validate() const {
 
 void SmoothSilhouettesJob::run() {
     segments.clear();
-    if (tree != nullptr)
-        tree->query(eye, scratch, [this](std::uint32_t face, bool) { add_triangle(*this, face); });
-    else
+    if (tree != nullptr) {
+        faces.clear();
+        tree->query(eye, scratch, [this](std::uint32_t face, bool) { faces.push_back(face); });
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            prefetch_ahead(*this, i);
+            add_triangle(*this, faces[i]);
+        }
+    } else {
         for (std::uint32_t face = 0; face < indices.size() / 3; ++face) add_triangle(*this, face);
+    }
 }
 
 PlaneTree smooth_silhouette_tree(std::span<const glm::vec4> planes, std::span<const std::uint32_t> indices,

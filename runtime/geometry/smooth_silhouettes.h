@@ -39,7 +39,8 @@ struct SmoothSilhouettesJob {
     void validate() const;
     void run();
 
-    PlaneTree::Scratch scratch{}; ///< kept from run to run
+    PlaneTree::Scratch scratch{};       ///< kept from run to run
+    std::vector<std::uint32_t> faces{}; ///< scratch: those that the tree found
 };
 
 /// The tree for the job: its items are the triangles with three different places.

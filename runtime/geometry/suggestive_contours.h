@@ -12,29 +12,29 @@
 
 namespace hachure::geometry {
 
-/// What decides how strongly a suggestive contour is drawn. Weights rise from 0 to 1 over ranges, so that lines come
-/// and go by fading and not at once.
+/// How strongly a suggestive contour is drawn. Weights rise from 0 to 1 over ranges, so that lines come and go by
+/// fading, not at once.
 struct SuggestiveOptions {
-    /// Radians between normal and view, [0, pi / 2): where the surface is seen more from the front than that, lines
-    /// are weak; they are full from `angle + angle_fade` on.
+    /// Angle between normal and view in radians, [0, pi / 2): where it is less, the surface is seen too much from the
+    /// front for lines; they are full from `angle + angle_fade` on.
     float angle = 0.35f;
     float angle_fade = 0.25f;
-    /// The derivative of radial curvature towards the eye, times the square of `feature_size`: below it lines are left
-    /// out; they are full from (1 + fade) times that on.
-    float derivative = 0.02f;
-    float fade = 1.0f;
+    /// The derivative of radial curvature towards the eye times the sine of that angle, in units of 1 / size^2: where
+    /// it is less there are no lines; they are full from `derivative + derivative_fade` on.
+    float derivative = 2.0f;
+    float derivative_fade = 2.0f;
+    float size = 1.0f; ///< metres: of the mesh (half the diagonal of its bounds, say)
 };
 
-/// The size that derivatives of curvature are measured by: `fraction` times the middle edge length... of a mesh.
-[[nodiscard]] float feature_size(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
-
-/// Suggestive contours (DeCarlo et al. 2003; 2004): where the surface almost becomes a silhouette. With the view
-/// vector v = eye - p, its part w in the tangent plane and the radial curvature k_r = II(w, w) / |w|^2, they are where
-/// k_r = 0 and its derivative along w is positive, C(w, w, w) / |w|^3 - 2 cot(angle) t^2 with the radial torsion t;
-/// on triangles that face the eye. II and C are quantities of vertices, k_r is linear over each triangle.
+/// Suggestive contours, where the surface almost becomes a silhouette (DeCarlo et al. 2003; 2004). With the view vector
+/// v = eye - p and its part w in the tangent plane, the radial curvature is k_r = II(w, w) / |w|^2. They are where k_r
+/// = 0 and its derivative along w is positive:
 ///
-/// Ends over edges meet bit for bit; where a line stops within a triangle (its derivative gets too low) the end is
-/// free.
+///     D_w k_r = C(w, w, w) / |w|^3 - 2 cot(angle) t^2,   t the radial torsion, angle between n and v
+///
+/// and the surface faces the eye. II and C belong to vertices; k_r sin^2 and D_w k_r sin are linear over triangles.
+/// Where lines go on over an edge ends meet bit for bit; where one stops within a triangle its end is free. A vertex
+/// with k_r = 0 counts as one with k_r < 0.
 struct SuggestiveContoursJob {
     std::span<const glm::vec3> positions{};
     std::span<const glm::vec3> normals{};     ///< as CurvatureJob took them
@@ -43,12 +43,10 @@ struct SuggestiveContoursJob {
     std::span<const glm::vec2> curvatures{};  ///< as CurvatureJob gives them
     std::span<const glm::vec3> directions{};  ///< likewise
     std::span<const glm::vec4> derivatives{}; ///< as CurvatureDerivativeJob gives them
-    glm::vec4 eye{0.0f};       ///< in the mesh's space: a place (w = 1) or a direction towards the eye (w = 0)
-    float feature_size = 1.0f; ///< metres, as the function gives it
-    SuggestiveOptions options{};
-    /// The triangles that can hold a line from any eye, ascending, as `suggestive_candidates` gives them; without any,
-    /// all triangles are looked at.
+    /// Optional: the triangles to look at, ascending, as `suggestive_candidates` gives them: no others can have a line.
     std::span<const std::uint32_t> candidates{};
+    glm::vec4 eye{0.0f}; ///< in the mesh's space: a place (w = 1) or a direction towards the eye (w = 0)
+    SuggestiveOptions options{};
 
     std::vector<SurfaceSegment> segments{}; ///< out, kept from run to run; by rising faces
 
@@ -56,14 +54,16 @@ struct SuggestiveContoursJob {
     void validate() const;
     void run();
 
-    /// Scratch, kept from run to run.
+    /// What the eye makes of a vertex; scratch, kept from run to run.
     struct Radial {
-        float curvature, derivative, front; ///< the last: cosine between normal and view
+        float curvature;  ///< k_r sin^2
+        float derivative; ///< D_w k_r sin
+        float cosine;     ///< of the angle
     };
     std::vector<Radial> radial{};
 };
 
-/// The triangles that are not convex at all three vertices, nor concave at all: no others have k_r = 0 from any eye.
+/// The triangles that are not convex at all three corners, nor concave at all: no others have k_r = 0 from any eye.
 [[nodiscard]] std::vector<std::uint32_t> suggestive_candidates(std::span<const std::uint32_t> indices,
                                                                std::span<const std::uint32_t> weld,
                                                                std::span<const glm::vec2> curvatures);

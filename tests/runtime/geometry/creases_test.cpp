@@ -9,11 +9,12 @@
 namespace hachure::geometry {
 namespace {
 
-std::size_t creases_of(const Shape& shape, float degrees) {
+std::size_t creases_of(const Shape& shape, float degrees, float noise = 1.0f) {
     const EdgeTable table = build_edge_table(shape.positions, shape.indices);
     std::vector<glm::vec4> planes(shape.indices.size() / 3);
     face_planes(shape.positions, shape.indices, planes);
-    const std::vector<std::uint8_t> creases = find_creases(shape.positions, table.edges, planes, glm::radians(degrees));
+    const std::vector<std::uint8_t> creases =
+        find_creases(shape.positions, table.edges, planes, glm::radians(degrees), noise);
     return static_cast<std::size_t>(std::ranges::count(creases, 1));
 }
 
@@ -60,6 +61,13 @@ TEST(FindCreases, ABumpOfOneVertexOnADenseSurfaceIsNoise) {
     EXPECT_GE(creases_of(bumped_square(40, 3.0f), 40.0f), min_crease_edges);
     // Lower, only a few of them are that sharp.
     EXPECT_EQ(creases_of(bumped_square(40, 0.6f), 40.0f), 0u);
+}
+
+TEST(FindCreases, WithoutTheNoiseFilterTheAngleAloneDecides) {
+    EXPECT_EQ(creases_of(folded_sheet(0.05f, 1.0f), 60.0f, 0.0f), 1u);
+    EXPECT_EQ(creases_of(folded_sheet(0.05f, 1.0f), 95.0f, 0.0f), 0u);
+    EXPECT_EQ(creases_of(folded_sheet(0.05f, 1.0f), 60.0f, 0.5f), 1u) << "half as strict";
+    EXPECT_GT(creases_of(bumped_square(40, 3.0f), 60.0f, 0.0f), 4u);
 }
 
 } // namespace

@@ -38,6 +38,8 @@ Shape joined(Shape a, const Shape& b, const glm::mat4& a_from_b) {
     return a;
 }
 
+__extension__ using Wide = __int128;
+
 TEST(Orientation, IsThatOfTheDeterminantInIntegers) {
     std::mt19937 random(3);
     for (int i = 0; i < 200000; ++i) {
@@ -50,12 +52,12 @@ TEST(Orientation, IsThatOfTheDeterminantInIntegers) {
             for (auto& point : p) point[0] = static_cast<std::int64_t>(random() % 3) * 5000011 % (1 << 23);
         glm::vec3 v[4];
         for (int k = 0; k < 4; ++k) v[k] = glm::vec3(p[k][0], p[k][1], p[k][2]);
-        __int128 d[3][3];
+        Wide d[3][3];
         for (int k = 0; k < 3; ++k)
             for (int m = 0; m < 3; ++m) d[k][m] = p[k][m] - p[3][m];
-        const __int128 determinant = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) +
-                                     d[0][1] * (d[1][2] * d[2][0] - d[1][0] * d[2][2]) +
-                                     d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+        const Wide determinant = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) +
+                                 d[0][1] * (d[1][2] * d[2][0] - d[1][0] * d[2][2]) +
+                                 d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
         ASSERT_EQ(orientation(v[0], v[1], v[2], v[3]), determinant < 0 ? 1 : determinant > 0 ? -1 : 0);
     }
 }
