@@ -13,8 +13,8 @@ bool is_clipped(const EdgeLines& lines) { return lines.visibility == LineVisibil
 std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view, std::uint64_t crossings) {
     return gpu::key_of(view.key(), item.mesh, item.shape.version, item.world_from_entity, crossings, lines.silhouette,
                        lines.smooth_silhouette, lines.crease, lines.border, lines.material, lines.intersection,
-                       lines.suggestive, lines.crease_angle, lines.width, lines.width_unit, lines.taper > 0.0f,
-                       lines.hidden == HiddenLines::dashed, lines.visibility);
+                       lines.suggestive, lines.suggestive_threshold, lines.crease_angle, lines.width, lines.width_unit,
+                       lines.taper > 0.0f, lines.hidden == HiddenLines::dashed, lines.visibility);
 }
 
 void describe_segments(gpu::VertexArray& vertex_array) {
