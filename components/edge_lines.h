@@ -56,7 +56,7 @@ struct EdgeLines {
     float hidden_width = 0.6f;
     float dash = 4.0f;
     LineMethod method = LineMethod::mesh;
-    LineVisibility visibility = LineVisibility::depth;
+    LineVisibility visibility = LineVisibility::exact;
 
     friend bool operator==(const EdgeLines&, const EdgeLines&) = default;
 };
@@ -114,7 +114,7 @@ inline void reflect(TypeBuilder<EdgeLines>& type) {
         .options({"mesh", "image"});
     type.field("visibility", &EdgeLines::visibility)
         .doc("what decides where lines of the mesh are seen: a finer depth buffer, or clipping against the triangles "
-             "on the CPU")
+             "on the CPU (where a shape is on the GPU alone, the depth buffer does)")
         .options({"depth", "exact"});
 }
 

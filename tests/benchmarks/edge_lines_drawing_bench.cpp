@@ -40,7 +40,7 @@ struct Method {
 };
 
 const std::array<Method, 3> methods = {
-    Method{"depth", {.width = 1.0f}},
+    Method{"depth", {.width = 1.0f, .visibility = LineVisibility::depth}},
     Method{"exact", {.width = 1.0f, .visibility = LineVisibility::exact}},
     Method{"image", {.width = 1.0f, .method = LineMethod::image}},
 };
