@@ -38,6 +38,7 @@ struct EdgeLines {
     bool intersection = false;
     bool suggestive = false;
     float crease_angle = 1.1f;
+    float suggestive_threshold = 2.0f;
     float width = 2.0f;
     LineWidthUnit width_unit = LineWidthUnit::pixels;
     float taper = 0.0f;
@@ -55,7 +56,7 @@ struct EdgeLines {
     float hidden_width = 0.6f;
     float dash = 4.0f;
     LineMethod method = LineMethod::mesh;
-    LineVisibility visibility = LineVisibility::depth;
+    LineVisibility visibility = LineVisibility::exact;
 
     friend bool operator==(const EdgeLines&, const EdgeLines&) = default;
 };
@@ -75,6 +76,9 @@ inline void reflect(TypeBuilder<EdgeLines>& type) {
         .doc("angle between the face normals from which an edge is a crease")
         .unit("rad")
         .range(0, 3.1416);
+    type.field("suggestive_threshold", &EdgeLines::suggestive_threshold)
+        .doc("how fast curvature must change for a suggestive contour, for a model of size 1; more gives fewer lines")
+        .range(0, 1000);
     type.field("width", &EdgeLines::width).doc("width of the line, in width_unit").range(0, 1000);
     type.field("width_unit", &EdgeLines::width_unit)
         .doc("pixels; thousandths of the picture's height, for the same look at any resolution; or metres in the "
@@ -110,7 +114,7 @@ inline void reflect(TypeBuilder<EdgeLines>& type) {
         .options({"mesh", "image"});
     type.field("visibility", &EdgeLines::visibility)
         .doc("what decides where lines of the mesh are seen: a finer depth buffer, or clipping against the triangles "
-             "on the CPU")
+             "on the CPU (where a shape is on the GPU alone, the depth buffer does)")
         .options({"depth", "exact"});
 }
 

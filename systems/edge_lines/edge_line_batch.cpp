@@ -8,13 +8,12 @@
 namespace hachure {
 namespace {
 
-bool is_clipped(const EdgeLines& lines) { return lines.visibility == LineVisibility::exact; }
-
-std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view, std::uint64_t crossings) {
+std::uint64_t batch_key(const DrawItem& item, const EdgeLines& lines, const View& view, std::uint64_t crossings,
+                        bool clipped) {
     return gpu::key_of(view.key(), item.mesh, item.shape.version, item.world_from_entity, crossings, lines.silhouette,
                        lines.smooth_silhouette, lines.crease, lines.border, lines.material, lines.intersection,
-                       lines.suggestive, lines.crease_angle, lines.width, lines.width_unit, lines.taper > 0.0f,
-                       lines.hidden == HiddenLines::dashed, lines.visibility);
+                       lines.suggestive, lines.suggestive_threshold, lines.crease_angle, lines.width, lines.width_unit,
+                       lines.taper > 0.0f, lines.hidden == HiddenLines::dashed, clipped);
 }
 
 void describe_segments(gpu::VertexArray& vertex_array) {
@@ -63,8 +62,8 @@ void EdgeLineBatches::find_lines(const LinedItem& lined, const MeshStore& store,
     const DrawItem& item = *lined.item;
     const EdgeLines& lines = *lined.lines;
     EdgeLineBatch& batch = batches_[item.entity];
-    std::uint64_t key = batch_key(item, lines, view, crossings_.key(item.entity));
-    if (is_clipped(lines)) key = gpu::key_of(key, list.key);
+    std::uint64_t key = batch_key(item, lines, view, crossings_.key(item.entity), lined.clipped);
+    if (lined.clipped) key = gpu::key_of(key, list.key);
     if (batch.key_ == key) return;
     meshes_[item.mesh].find_lines(line_query(store.mesh(item.mesh), item, lines, view), crossings_.of(item.entity),
                                   lines_);
@@ -73,16 +72,16 @@ void EdgeLineBatches::find_lines(const LinedItem& lined, const MeshStore& store,
                         .clip_per_metre = {view.clip_from_view[2][2], view.clip_from_view[2][3]},
                         .viewport = {view.width, view.height},
                         .width = width_on_screen(lines, view),
-                        .segments = is_clipped(lines) ? &batch.unclipped_ : &batch.segments,
-                        .ends = is_clipped(lines) ? &batch.ends_ : nullptr,
-                        .lines_out = is_clipped(lines) ? &batch.lines_ : &segment_runs_};
+                        .segments = lined.clipped ? &batch.unclipped_ : &batch.segments,
+                        .ends = lined.clipped ? &batch.ends_ : nullptr,
+                        .lines_out = lined.clipped ? &batch.lines_ : &segment_runs_};
     job.run();
     batch.kinds = batch.hidden = batch.unclipped_kinds_ = job.kinds;
     batch.widest = 0.0f;
     for (const LineSegment& segment : *job.segments)
         batch.widest = std::max({batch.widest, segment.half_width.x, segment.half_width.y});
     batch.key_ = key;
-    batch.stale_ = is_clipped(lines);
+    batch.stale_ = lined.clipped;
     batch.uploaded_ = false;
 }
 

@@ -48,6 +48,7 @@ private:
 struct LinedItem {
     const DrawItem* item = nullptr;
     const EdgeLines* lines = nullptr;
+    bool clipped = false; ///< its lines are clipped exactly: asked for, and all shapes are on the CPU
     const EdgeLineBatch* batch = nullptr;
 };
 

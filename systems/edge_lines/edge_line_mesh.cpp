@@ -38,12 +38,14 @@ void EdgeLineMesh::find_edges(const LineQuery& query) {
         const geometry::Edge& edge = edges_->edge(chosen.edge);
         const DrawnKind kind = kind_of(chosen.kinds);
         if (kind == DrawnKind::silhouette && !smooth.empty() && smooth[edge.face0] && smooth[edge.face1]) continue;
-        found(kind).segments.push_back({.start = query.positions[edge.v0],
-                                        .end = query.positions[edge.v1],
-                                        .face = edge.face0,
-                                        .other_face = edge.face1,
-                                        .start_id = geometry::end_at_vertex(edge.v0),
-                                        .end_id = geometry::end_at_vertex(edge.v1)});
+        Found& lines = found(kind);
+        if (kind == DrawnKind::silhouette) lines.lift.push_back(edges_->in_valley(query, edge) ? never_seen : 0.0f);
+        lines.segments.push_back({.start = query.positions[edge.v0],
+                                  .end = query.positions[edge.v1],
+                                  .face = edge.face0,
+                                  .other_face = edge.face1,
+                                  .start_id = geometry::end_at_vertex(edge.v0),
+                                  .end_id = geometry::end_at_vertex(edge.v1)});
     }
 }
 
@@ -52,7 +54,6 @@ void EdgeLineMesh::find_edges(const LineQuery& query) {
 void EdgeLineMesh::find_smooth_silhouettes(const LineQuery& query) {
     const std::span<const std::uint8_t> smooth_faces = edges_->smooth_faces(query);
     Found& silhouettes = found(DrawnKind::silhouette);
-    silhouettes.lift.assign(silhouettes.segments.size(), 0.0f);
     for (const SurfaceSegment& segment : smooth(query).silhouettes(query)) {
         if (!smooth_faces[segment.face]) continue;
         silhouettes.segments.push_back(segment);

@@ -21,10 +21,7 @@ bool draws_anything(const EdgeLines& lines) {
 }
 
 LineDraw draw_of(const LinedItem& lined, const SegmentRange& segments) {
-    return {.entity = lined.item->entity,
-            .segments = segments,
-            .taper = lined.lines->taper,
-            .exact = lined.lines->visibility == LineVisibility::exact};
+    return {.entity = lined.item->entity, .segments = segments, .taper = lined.lines->taper, .exact = lined.clipped};
 }
 
 void add_hidden(LineGroups& groups, const LinedItem& item, HiddenLines style) {
@@ -56,6 +53,7 @@ void update_batches(Query<const EdgeLines> styled, const DrawList& list, const M
                     FrameRequests& requests, EdgeLineFrame& frame, LineLayer& layer) {
     std::vector<LinedItem> items;
     frame.image.clear();
+    const bool all_on_cpu = std::ranges::none_of(list.items, [](const DrawItem& item) { return item.shape.on_gpu; });
     for (const DrawItem& item : list.items) {
         const auto found = styled.find(item.entity);
         if (!found || !draws_anything(std::get<const EdgeLines&>(*found))) continue;
@@ -63,7 +61,7 @@ void update_batches(Query<const EdgeLines> styled, const DrawList& list, const M
         if (lines.method == LineMethod::image)
             frame.image.add(item, lines, view);
         else
-            items.push_back({&item, &lines});
+            items.push_back({&item, &lines, lines.visibility == LineVisibility::exact && all_on_cpu});
     }
     if (frame.image.any()) requests.textures.insert({"normal", "object_id"});
     frame.batches.update(items, store, list, view);
@@ -72,7 +70,7 @@ void update_batches(Query<const EdgeLines> styled, const DrawList& list, const M
     frame.probes = false;
     for (const LinedItem& lined : items) {
         frame.drawn.push_back(lined.item->entity);
-        frame.probes = frame.probes || lined.lines->visibility == LineVisibility::depth;
+        frame.probes = frame.probes || !lined.clipped;
         const float wide = std::min(lined.batch->widest * std::max(1.0f, lined.lines->hidden_width), 1e5f);
         frame.rect = united(frame.rect, grown(lined.item->rect, static_cast<int>(std::ceil(wide)) + 2, view));
     }

@@ -4,9 +4,9 @@ namespace hachure {
 
 class App;
 
-/// Surfaces that carry EdgeLines get lines along their silhouettes, creases and borders: edges are chosen on the CPU
-/// when view or mesh moved, and drawn as anti-aliased strips whose visibility the depth buffer decides. The lines of
-/// all entities go into the texture `line_layer` (premultiplied, combined by maximum, so that joints don't darken).
+/// Surfaces that carry EdgeLines get lines: found on the CPU when view or mesh moved, clipped there or tested against a
+/// finer depth buffer, and drawn as anti-aliased strips into the texture `line_layer` (premultiplied); or, cheaper and
+/// coarser, from differences of neighbouring pixels. docs/edge-lines.md says how.
 void register_edge_lines(App& app);
 
 } // namespace hachure

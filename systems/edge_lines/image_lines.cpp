@@ -27,9 +27,10 @@ void ImageLines::add(const DrawItem& item, const EdgeLines& lines, const View& v
                                .breaks = lines.silhouette || lines.border ? 1.0f : 0.0f,
                                .crease_cosine = lines.crease ? std::cos(lines.crease_angle) : -2.0f};
     widest_ = std::max(widest_, width.by_distance ? static_cast<float>(widest_reach) : half);
-    const int reach = std::min(static_cast<int>(std::ceil(widest_)) + 1, widest_reach);
-    rect_ = united(rect_, grown(item.rect, reach + 1, view));
+    rect_ = united(rect_, grown(item.rect, reach() + 1, view));
 }
+
+int ImageLines::reach() const { return std::min(static_cast<int>(std::ceil(widest_)), widest_reach); }
 
 ImageLines::Textures ImageLines::declare(gpu::FrameGraph& graph, gpu::PassBuilder& pass, const View& view) const {
     return {.depth_buffer = pass.read(graph.find("depth_buffer")),
@@ -58,7 +59,7 @@ void ImageLines::draw(RenderContext& render, gpu::PassContext& pass, const Textu
     state.blend = gpu::Blend::premultiplied;
     gpu::Program& program =
         render.shaders->program({.vertex = "common/full_screen.vert", .fragment = "edge_lines/image_lines.frag"});
-    program.set("reach", std::min(static_cast<int>(std::ceil(widest_)) + 1, widest_reach));
+    program.set("reach", reach());
     render.draw_full_screen("edge_lines/image_lines.frag", state,
                             {pass.texture(textures.marks), pass.texture(textures.depth_buffer)});
 }

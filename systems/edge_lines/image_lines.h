@@ -47,6 +47,8 @@ private:
         glm::vec2 padding{0.0f};
     };
     void upload();
+    /// How many pixels away a mark can still be of a line here: marks lie half a pixel off, as rims do.
+    [[nodiscard]] int reach() const;
 
     std::vector<Style> styles_; ///< by object id
     gpu::Rect rect_;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace hachure {
@@ -12,6 +13,9 @@ namespace hachure {
 /// What a line is drawn for. Where lines of two kinds meet, the later one in this list lies on top.
 enum class DrawnKind : std::uint8_t { suggestive, material, crease, intersection, border, silhouette };
 inline constexpr std::size_t drawn_kinds = 6;
+
+/// As a lift: the line is hidden wherever it is.
+inline constexpr float never_seen = -std::numeric_limits<float>::infinity();
 
 /// Consecutive points of a LineSet that make one line.
 struct LineChain {

@@ -79,6 +79,22 @@ std::span<const geometry::ChosenEdge> MeshEdges::choose(const LineQuery& query) 
     return std::span(chosen_).first(job.count);
 }
 
+bool MeshEdges::in_valley(const LineQuery& query, const geometry::Edge& edge) const {
+    if (!closed_ || edge.face1 == geometry::no_face || edge.flags != 0) return false;
+    const auto corner = [&](std::uint32_t face, std::uint32_t k) {
+        return query.positions[query.mesh->indices[3 * face + k]];
+    };
+    const glm::vec3 a = corner(edge.face0, 0);
+    const glm::vec3 normal = glm::cross(corner(edge.face0, 1) - a, corner(edge.face0, 2) - a);
+    // Of the other face, the corner that is not on the edge is the farthest from the first one's plane.
+    float above = 0.0f;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const float distance = glm::dot(normal, corner(edge.face1, k) - a);
+        if (std::abs(distance) > std::abs(above)) above = distance;
+    }
+    return above > 0.0f;
+}
+
 std::span<const std::uint8_t> MeshEdges::smooth_faces(const LineQuery& query) {
     const float angle = query.wanted->crease_angle;
     if (smooth_angle_ == angle) return smooth_faces_;

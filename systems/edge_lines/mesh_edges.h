@@ -22,6 +22,11 @@ public:
 
     [[nodiscard]] const geometry::Edge& edge(std::uint32_t index) const { return table_.edges[index]; }
 
+    /// Whether a silhouette is sure to be hidden: on a closed surface, one where the faces meet in a valley has its
+    /// back face before its front face, and before that another front face. On a smooth surface these are the parts of
+    /// its contour past the cusps, which lie so little behind what hides them that no depth buffer tells them apart.
+    [[nodiscard]] bool in_valley(const LineQuery& query, const geometry::Edge& edge) const;
+
     /// Faces none of whose corners lies on an edge sharper than the crease angle, or on a border: a byte per face.
     [[nodiscard]] std::span<const std::uint8_t> smooth_faces(const LineQuery& query);
 

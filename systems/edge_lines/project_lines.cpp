@@ -63,6 +63,8 @@ private:
     ScreenPoint on_screen(const glm::dvec4& clip, double weight, double lift) const {
         const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * job_.viewport;
         const double wide = job_.width.half_width / (job_.width.by_distance ? clip.w : 1.0);
+        if (lift == double(never_seen))
+            return {at, -1.0, wide, weight}; // behind everything: depth is 0 at the far plane
         const double nearer_w = std::max(clip.w + lift * job_.clip_per_metre.y, 0.1 * clip.w);
         return {at, (clip.z + lift * job_.clip_per_metre.x) / nearer_w, wide, weight};
     }

@@ -53,7 +53,7 @@ void SmoothSurface::find_curvature(const LineQuery& query) {
     derivative_job_.directions = directions_;
     derivative_job_.derivatives = derivatives_;
     derivative_job_.run();
-    if (feature_size_ == 0.0f) feature_size_ = geometry::feature_size(query.mesh->positions, query.mesh->indices);
+    candidates_ = geometry::suggestive_candidates(query.mesh->indices, weld_, curvatures_);
     curvature_version_ = query.version;
 }
 
@@ -67,7 +67,9 @@ std::span<const geometry::SurfaceSegment> SmoothSurface::suggestive_contours(con
     suggestive_.directions = directions_;
     suggestive_.derivatives = derivatives_;
     suggestive_.eye = query.eye;
-    suggestive_.feature_size = feature_size_;
+    suggestive_.options.size = query.mesh->bounds.radius();
+    suggestive_.options.derivative = query.wanted->suggestive_threshold;
+    suggestive_.candidates = candidates_;
     suggestive_.run();
     return suggestive_.segments;
 }

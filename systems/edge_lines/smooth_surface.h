@@ -43,7 +43,7 @@ private:
     std::vector<glm::vec3> directions_;
     std::vector<glm::vec4> derivatives_;
     std::uint64_t curvature_version_ = not_yet;
-    float feature_size_ = 0.0f;
+    std::vector<std::uint32_t> candidates_; ///< triangles that can hold a suggestive contour
     geometry::SuggestiveContoursJob suggestive_;
 };
 

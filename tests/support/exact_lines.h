@@ -2,11 +2,11 @@
 
 #include <hachure/components/edge_lines.h>
 #include <hachure/runtime/assets/image.h>
+#include <hachure/runtime/geometry/creases.h>
 #include <hachure/runtime/geometry/edges.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/view.h>
-#include <hachure/runtime/geometry/creases.h>
 
 #include <glm/glm.hpp>
 
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,13 +26,12 @@ namespace hachure::test {
 struct ExactLines {
     std::vector<glm::dvec2> seen;    ///< must be drawn
     std::vector<glm::dvec2> allowed; ///< may be drawn: these, and what rounding decides
-    std::vector<double> seen_run;    ///< per point of `seen`: how long the piece of an edge is that is seen there
     double length = 0.0;             ///< of what is seen, pixels
 };
 
-/// The silhouettes, creases and borders of still surfaces, clipped against every triangle in double precision by asking
-/// a tree of triangles at each of the points. It takes the mesh's edge table and creases as given, which have tests of
-/// their own, and decides anew which edges are silhouettes.
+/// The silhouettes, creases and borders of the surfaces of a moment, clipped against every triangle in double precision
+/// by asking a tree of triangles at each of the points. It takes the mesh's edge table and creases as given, which have
+/// tests of their own, and decides anew which edges are silhouettes.
 class ExactLineFinder {
 public:
     ExactLineFinder(const DrawList& list, const MeshStore& store, double crease_angle)
@@ -48,32 +48,6 @@ public:
         return lines;
     }
 
-    void explain(const View& view, const glm::dvec2& pixel) const {
-        const glm::dmat4 clip_from_world(view.clip_from_world);
-        const glm::dvec2 viewport(view.width, view.height);
-        for (const Candidate& edge : edges_) {
-            if (!is_drawn(edge, glm::dvec3(view.eye))) continue;
-            const glm::dvec4 a = clip_from_world * glm::dvec4(edge.start, 1.0),
-                             b = clip_from_world * glm::dvec4(edge.end, 1.0);
-            const glm::dvec2 p = (glm::dvec2(a) / a.w * 0.5 + 0.5) * viewport,
-                             q = (glm::dvec2(b) / b.w * 0.5 + 0.5) * viewport;
-            double t = glm::clamp(glm::dot(pixel - p, q - p) / glm::dot(q - p, q - p), 0.001, 0.999);
-            const double d = glm::distance(pixel, glm::mix(p, q, t));
-            if (d > 0.52) continue;
-            const double s = t * a.w / (t * a.w + (1.0 - t) * b.w);
-            const glm::dvec3 world = glm::mix(edge.start, edge.end, s);
-            const double hit = tree_.first_hit(glm::dvec3(view.eye), world, 1.0, 0.0);
-            const bool f0 = glm::dot(edge.normal0, glm::dvec3(view.eye) - edge.start) > 0.0,
-                       f1 = glm::dot(edge.normal1, glm::dvec3(view.eye) - edge.start) > 0.0;
-            std::printf("    %.2f away, gap %.3g, %s%s%s length %.1f  (%.1f %.1f)-(%.1f %.1f)\n", d, 1.0 - hit,
-                        edge.border ? "border "
-                        : f0 != f1  ? "silhouette "
-                                    : "",
-                        edge.crease ? "crease " : "", edge.closed ? "closed" : "open", glm::distance(p, q), p.x, p.y,
-                        q.x, q.y);
-        }
-    }
-
 private:
     struct Candidate {
         glm::dvec3 start, end;
@@ -85,11 +59,12 @@ private:
         std::vector<WorldTriangle> triangles;
         for (const DrawItem& item : list.items) {
             const SurfaceMesh& mesh = store.mesh(item.mesh);
+            const std::span<const glm::vec3> positions = shape_of(item, mesh);
             for (const Submesh& submesh : mesh.submeshes)
                 for (std::uint32_t i = submesh.first_index; i < submesh.first_index + submesh.index_count; i += 3) {
                     WorldTriangle triangle{{}, !submesh.material.double_sided};
                     for (std::uint32_t k = 0; k < 3; ++k)
-                        triangle.corners[k] = place(item, mesh.positions[mesh.indices[i + k]]);
+                        triangle.corners[k] = place(item, positions[mesh.indices[i + k]]);
                     if (item.mirrored) std::swap(triangle.corners[1], triangle.corners[2]);
                     triangles.push_back(triangle);
                 }
@@ -97,12 +72,19 @@ private:
         return triangles;
     }
 
+    /// The corners of the shape that is drawn.
+    static std::span<const glm::vec3> shape_of(const DrawItem& item, const SurfaceMesh& mesh) {
+        return item.shape.version != 0 ? item.shape.positions : std::span(mesh.positions);
+    }
+
     static glm::dvec3 place(const DrawItem& item, const glm::vec3& p) {
         return glm::dvec3(glm::dmat4(item.world_from_entity) * glm::dvec4(glm::dvec3(p), 1.0));
     }
 
     static glm::dvec3 normal(const SurfaceMesh& mesh, const DrawItem& item, std::uint32_t face) {
-        const auto corner = [&](std::uint32_t k) { return place(item, mesh.positions[mesh.indices[3 * face + k]]); };
+        const auto corner = [&](std::uint32_t k) {
+            return place(item, shape_of(item, mesh)[mesh.indices[3 * face + k]]);
+        };
         const glm::dvec3 n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
         const double length = glm::length(n);
         return length > 0.0 ? (item.mirrored ? -n : n) / length : glm::dvec3(0.0);
@@ -112,13 +94,15 @@ private:
         const geometry::EdgeTable table = geometry::build_edge_table(mesh.positions, mesh.indices);
         std::vector<glm::vec4> planes(mesh.indices.size() / 3);
         geometry::face_planes(mesh.positions, mesh.indices, planes);
-        const auto creases = geometry::find_creases(mesh.positions, table.edges, planes, static_cast<float>(crease_angle));
+        const auto creases =
+            geometry::find_creases(mesh.positions, table.edges, planes, static_cast<float>(crease_angle));
+        const std::span<const glm::vec3> positions = shape_of(item, mesh); // creases are those of the mesh
         bool closed = true;
         for (const geometry::Edge& edge : table.edges)
             closed = closed && (edge.flags & (geometry::edge_border | geometry::edge_orientation_mismatch)) == 0;
         for (std::size_t i = 0; i < table.edges.size(); ++i) {
             const geometry::Edge& edge = table.edges[i];
-            Candidate candidate{place(item, mesh.positions[edge.v0]), place(item, mesh.positions[edge.v1])};
+            Candidate candidate{place(item, positions[edge.v0]), place(item, positions[edge.v1])};
             candidate.border = edge.face1 == geometry::no_face;
             candidate.crease = creases[i] != 0;
             candidate.closed = closed;
@@ -148,12 +132,7 @@ private:
         const double length = glm::distance(p, q);
         const int count = std::max(1, static_cast<int>(std::ceil(length * 4.0)));
         const std::size_t first = lines.seen.size();
-        std::size_t run = first;
         const double step = length / count;
-        const auto end_run = [&] {
-            lines.seen_run.resize(lines.seen.size(), static_cast<double>(lines.seen.size() - run) * step);
-            run = lines.seen.size();
-        };
         for (int i = 0; i < count; ++i) {
             const double t = (i + 0.5) / count;
             // Even on the screen: the clip w weighs the ends.
@@ -161,13 +140,8 @@ private:
             const glm::dvec3 world = glm::mix(edge.start, edge.end, s);
             const double hit = tree_.first_hit(glm::dvec3(view.eye), world, 1.0 - 1e-7, 1.0 - 1e-5);
             if (hit >= 1.0 - 1e-5) lines.allowed.push_back(glm::mix(p, q, t));
-            if (hit >= 1.0 - 1e-7) {
-                lines.seen.push_back(glm::mix(p, q, t));
-            } else {
-                end_run();
-            }
+            if (hit >= 1.0 - 1e-7) lines.seen.push_back(glm::mix(p, q, t));
         }
-        end_run();
         lines.length += static_cast<double>(lines.seen.size() - first) * step;
     }
 

@@ -33,7 +33,7 @@ struct Coverage {
 struct Drawing {
     Camera camera{.projection = Projection::orthographic, .ymag = 1.5f, .zfar = 100.0f};
     Transform camera_place{.translation = {0, 0, 10}};
-    EdgeLines lines;
+    EdgeLines lines{.visibility = LineVisibility::depth}; // line_looks_gl_test.cpp has both
     SurfaceMaterial material{.double_sided = true};
 };
 
