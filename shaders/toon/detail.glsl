@@ -21,7 +21,7 @@ float tone_detail(vec3 n, vec3 v) {
 #elif DETAIL == 4
     detail = pow(abs(dot(n, v)), detail_power);
 #elif DETAIL == 5
-    detail = light_count > 0 ? pow(max(dot(v, reflect(-towards_light(0, world_position), n)), 0.0), detail_power) : 0.0;
+    detail = LIGHT_COUNT > 0 ? pow(max(dot(v, reflect(-towards_light(0, world_position), n)), 0.0), detail_power) : 0.0;
 #endif
     return clamp(detail, 0.0, 1.0);
 }

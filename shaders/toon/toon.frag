@@ -49,7 +49,7 @@ vec3 shading_normal(vec3 surface) {
 float highlight_angle(vec3 n, vec3 v) {
     float exponent = 2.0 * log(2.0) / (specular_size * specular_size);
     float sum = 0.0;
-    for (int i = 0; i < light_count; ++i) {
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
         vec3 l = towards_light(i, world_position);
         vec3 half_vector = l + v;
         float cosine = dot(n, half_vector) * inversesqrt(max(dot(half_vector, half_vector), 1e-12));

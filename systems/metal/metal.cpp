@@ -4,6 +4,7 @@
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/app/log.h>
 #include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/light_defines.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/surface_renderer.h>
@@ -100,7 +101,11 @@ SurfaceShading shading(World& world, MetalFrame& frame) {
     return {
         .name = shading_name,
         .fragment = "metal/metal.frag",
-        .defines = [&world](Entity entity, auto& defines) { DrawnMetal(world, entity).add_defines(defines); },
+        .defines =
+            [&world](Entity entity, auto& defines) {
+                DrawnMetal(world, entity).add_defines(defines);
+                add_light_defines(world.resource<LightList>(), defines);
+            },
         .uniforms = [&world, ramp](Entity entity,
                                    auto& program) { DrawnMetal(world, entity).set_uniforms(program, ramp(entity)); },
         .vertex = "metal/metal.vert",

@@ -1,6 +1,7 @@
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/gpu/frame_graph_key.h>
 #include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/light_defines.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/surface_renderer.h>
 #include <hachure/systems/toon/toon_passes.h>
@@ -128,7 +129,11 @@ void ToonPasses::declare(World& world) {
     add_surface_pass(world,
                      {.name = name,
                       .fragment = "toon/toon.frag",
-                      .defines = [&world](Entity entity, auto& defines) { add_defines(world, entity, defines); },
+                      .defines =
+                          [&world](Entity entity, auto& defines) {
+                              add_defines(world, entity, defines);
+                              add_light_defines(world.resource<LightList>(), defines);
+                          },
                       .uniforms = [&world](Entity entity, auto& program) { set_uniforms(world, entity, program); },
                       .vertex = "toon/toon.vert",
                       .bind = [this, &world](const DrawItem& item) { bind(world, item); }},
