@@ -85,7 +85,7 @@ bool read_bunny(Bunny& bunny) {
 }
 
 // Away from umbilics: where the reference's confidence in a direction is at least one half. Against the field of
-// docs/metal.md as the test computes it in other ways (line_reference.h).
+// docs/stripes.md as the test computes it in other ways (line_reference.h).
 TEST(DirectionField, StripesOfTheBunnyFollowTheReferenceField) {
     Bunny bunny;
     if (!read_bunny(bunny)) GTEST_SKIP() << "no bunny here";
