@@ -41,7 +41,7 @@ std::string rows(std::uint32_t across, bool quick) {
         mesh.by_tree.eye = mesh.eye(frame);
         mesh.by_tree.run();
     };
-    const std::vector<double> deforming = frame_ms({loop, parallel_loop, refit}, quick ? 1 : 4, quick ? 1 : 4);
+    const std::vector<double> deforming = frame_ms({loop, parallel_loop, refit}, quick ? 1 : 3, quick ? 1 : 12);
     const std::size_t triangles = mesh.planes.size();
     const auto row = [&](const char* panel, const char* series, double ms) {
         return fmt::format("{},{},{},{:.5g}\n", panel, series, triangles, ms);

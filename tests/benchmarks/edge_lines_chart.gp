@@ -15,7 +15,7 @@ rows(panel, series) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\"' %s", pan
 # Both axes are logarithmic: a tenth of the cost is the same distance everywhere.
 set logscale xy
 set xrange [700:2300000]
-set yrange [0.001:200]
+set yrange [0.0005:600]
 set xtics ("1k" 1000, "10k" 10000, "100k" 100000, "1M" 1000000)
 set ytics (0.001, 0.01, 0.1, 1, 10, 100)
 set border 3 linecolor "#808080"

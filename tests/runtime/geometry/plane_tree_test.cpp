@@ -156,6 +156,14 @@ TEST(PlaneTree, AnEyeInThePlaneOfAFaceIsDecidedAlike) {
         for (const float y : {0.5f, -0.5f, 3.0f}) ASSERT_TRUE(both.agree({x, y, 2.0f, 1.0f}));
 }
 
+// From a vertex, what side of its faces is seen hangs on how their planes were rounded: boxes must leave room for that.
+TEST(PlaneTree, AnEyeOnTheSurfaceIsDecidedAlike) {
+    Shape shape = irregular_torus(1.0, 0.4, 60, 30, 0.4, 5);
+    for (glm::vec3& p : shape.positions) p += glm::vec3(1000.0f, -300.0f, 50.0f);
+    Both both{LineMesh(shape)};
+    for (const glm::vec3& p : shape.positions) ASSERT_TRUE(both.agree({p, 1.0f}));
+}
+
 TEST(PlaneTree, WhatIsNoNumberIsDecidedAlike) {
     Both both{LineMesh(battered(icosphere(1.0, 2), 3))};
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
