@@ -49,7 +49,7 @@ std::vector<Cell> gallery(const assets::Model& character, const assets::Model& s
                                {&white_statue, "edge lines alone",
                                 [](App& app, const SpawnedModel& model, float width) {
                                     for (const Entity surface : model.surfaces)
-                                        app.world().add(surface, EdgeLines{.width = width});
+                                        app.world().add(surface, EdgeLines{.suggestive = true, .width = width});
                                 },
                                 half_profile()}};
     std::ranges::move(figure_10(part, MetalSource::around_axis, leaning()), std::back_inserter(cells));
