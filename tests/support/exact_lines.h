@@ -22,7 +22,8 @@
 
 namespace hachure::test {
 
-/// Where lines of a view are, as points every quarter of a pixel, in pixels from the picture's lower left corner.
+/// Where lines of a view are, as points a quarter of a pixel apart at most, in pixels from the picture's lower left
+/// corner.
 struct ExactLines {
     std::vector<glm::dvec2> seen;    ///< must be drawn
     std::vector<glm::dvec2> allowed; ///< may be drawn: these, and what rounding decides
@@ -130,7 +131,8 @@ private:
         const glm::dvec2 p = (glm::dvec2(a) / a.w * 0.5 + 0.5) * viewport,
                          q = (glm::dvec2(b) / b.w * 0.5 + 0.5) * viewport;
         const double length = glm::distance(p, q);
-        const int count = std::max(1, static_cast<int>(std::ceil(length * 4.0)));
+        // A quarter of a pixel apart, and closer on short edges: what is seen of one may be shorter still.
+        const int count = std::max(8, static_cast<int>(std::ceil(length * 4.0)));
         const std::size_t first = lines.seen.size();
         const double step = length / count;
         for (int i = 0; i < count; ++i) {
