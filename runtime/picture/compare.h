@@ -9,7 +9,7 @@ namespace hachure::picture {
 struct PictureDifference {
     double max_difference = 0.0;     ///< largest difference of a channel, in 255ths
     double differing_fraction = 0.0; ///< of the pixels: those with a channel more than a step apart
-    double flip_p99 = 0.0;           ///< 99th percentile of the FLIP error
+    double flip_p99 = 0.0;           ///< 99th percentile of the FLIP error, rounding apart (`rounding_step`)
     double flip_max = 0.0;
     double line_distance = 0.0; ///< symmetric Hausdorff distance of the lines, pixels; infinite if one has none
     bool finite = true;         ///< neither picture holds NaN or infinity; if one does, nothing else is measured
@@ -17,6 +17,9 @@ struct PictureDifference {
 
 /// What the same driver may do between two runs or two ways to its context.
 inline constexpr double same_driver_step = 5.0; // 255ths
+
+/// What rounding may do to a channel: pixels within it are one to FLIP.
+inline constexpr double rounding_step = 1.0 + 1e-6; // 255ths
 
 /// How pictures are compared.
 struct CompareOptions {

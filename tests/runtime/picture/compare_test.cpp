@@ -20,6 +20,22 @@ TEST(PictureCompare, APictureIsLikeItself) {
     EXPECT_TRUE(same_driver_gate(image, image));
 }
 
+/// All of a picture may be rounded the other way; twice as much is a change.
+TEST(PictureCompare, RoundingIsNoDifferenceToFlip) {
+    const assets::Image image = drawing(0, true);
+    const auto darker_by = [&](int step) {
+        assets::Image result = image;
+        std::transform(image.u8(), image.u8() + 3 * std::size_t(image.width) * std::size_t(image.height), result.u8(),
+                       [=](std::uint8_t value) { return static_cast<std::uint8_t>(value >= step ? value - step : 0); });
+        return result;
+    };
+    const PictureDifference rounded = compare_pictures(image, darker_by(1)),
+                            changed = compare_pictures(image, darker_by(2));
+    EXPECT_EQ(rounded.flip_max, 0.0);
+    EXPECT_NEAR(rounded.max_difference, 1.0, 1e-6);
+    EXPECT_GT(changed.flip_p99, 0.0);
+}
+
 TEST(PictureCompare, CatchesALostLine) {
     const assets::Image whole = drawing(0, true), lost = drawing(0, false);
     EXPECT_FALSE(same_driver_gate(whole, lost));
