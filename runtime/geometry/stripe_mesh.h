@@ -47,7 +47,7 @@ struct StripeMesh {
 
 /// Lays streaks on any mesh: they follow the direction of least curvature (in absolute value) where there is one, and
 /// elsewhere run smoothly from there or, on spheres and planes, along the object's Y axis; on faces across that axis
-/// along X. See docs/metal.md.
+/// along X. See docs/stripes.md.
 ///
 /// `normals` (unit, one per vertex) tell which edges are hard; without them the angle alone does. `indices` hold 3 per
 /// triangle, in range; positions are finite. Whatever else is wrong with the mesh (borders, edges with many triangles,

@@ -7,7 +7,7 @@
 #include <array>
 #include <complex>
 
-/// The direction field of docs/metal.md, computed otherwise than the code under test does it: curvature from the normal
+/// The direction field of docs/stripes.md, computed otherwise than the code under test does it: curvature from the normal
 /// curvatures of edges (least squares in every vertex's tangent plane), vectors carried by the least turn between
 /// tangent planes in space, linear equations by conjugate gradients; all in double precision, without any sheet or
 /// half-edge.
@@ -16,7 +16,6 @@ namespace hachure::geometry::reference {
 class LineField {
 public:
     std::vector<glm::dvec3> direction; ///< per vertex, unit
-    std::vector<glm::dvec3> raw;
     std::vector<double> confidence;    ///< per vertex, in [0, 1]
 
     LineField(const std::vector<glm::vec3>& positions, const std::vector<std::uint32_t>& indices, double detail)
@@ -86,12 +85,12 @@ private:
             const double k = -2.0 * glm::dot(d, normal_[v]) / glm::dot(d, d);
             const double a = std::atan2(glm::dot(d, y(v)), glm::dot(d, x_[v])), c = std::cos(2.0 * a),
                          s = std::sin(2.0 * a);
-            const double row[3] = {1.0, c, s};
+            const double row[3] = {1.0, c, s}, weight = glm::dot(d, d) / mass_[v]; // short edges tell little
             std::array<double, 9>& sum = sums[v];
             int at = 0;
             for (int i = 0; i < 3; ++i)
-                for (int j = i; j < 3; ++j) sum[static_cast<std::size_t>(at++)] += row[i] * row[j];
-            for (int i = 0; i < 3; ++i) sum[static_cast<std::size_t>(6 + i)] += row[i] * k;
+                for (int j = i; j < 3; ++j) sum[static_cast<std::size_t>(at++)] += weight * row[i] * row[j];
+            for (int i = 0; i < 3; ++i) sum[static_cast<std::size_t>(6 + i)] += weight * row[i] * k;
         };
         for (const Link& link : links_) {
             add(link.from, link.to);
@@ -167,9 +166,8 @@ private:
         for (std::size_t v = 0; v < count_; ++v) {
             const Complex wanted = 2.0 * mean[v].real() * deviator[v];
             const double h = std::abs(mean[v].real()), d = std::abs(deviator[v]), flat = 0.5 / size;
-            const double raw = 4.0 * h * d / (2.0 * (h * h + d * d) + flat * flat),
-                         t = std::clamp((raw - 0.1) / 0.4, 0.0, 1.0);
-            raw.push_back(std::cos(0.5*std::arg(wanted))*x_[v]+std::sin(0.5*std::arg(wanted))*y(v));
+            const double ratio = 4.0 * h * d / (2.0 * (h * h + d * d) + flat * flat),
+                         t = std::clamp((ratio - 0.1) / 0.4, 0.0, 1.0);
             sure[v] = t * t * (3.0 - 2.0 * t);
             const double strength = std::pow(sure[v] / (0.3 * detail * size), 2), fallback = 0.1 / (size * size);
             const glm::dvec3 along(0.1, 1.0, 0.0), a = x_[v], b = y(v);
