@@ -41,6 +41,9 @@ struct StripeMesh {
     std::vector<std::uint32_t> stands_for;
     /// Per vertex: 1 where its u falls when that of the vertex that stands for it rises.
     std::vector<std::uint8_t> mirrored;
+    /// Per vertex: the normal without the bumps of the surface, where the drawn normal n is (0, 0, 1), X of
+    /// StripeFramesJob (1, 0, 0) and n x X (0, 1, 0). Unit.
+    std::vector<glm::vec3> lean;
 
     [[nodiscard]] bool operator==(const StripeMesh&) const = default;
 };

@@ -10,6 +10,10 @@ out vec2 about_axis;           // place in the plane across the axis
 layout(location = 6) in float in_coordinate; // sets
 layout(location = 7) in vec4 in_frame;       // where the coordinate rises, and radians that the normal turns per set
 layout(location = 8) in float in_weight;
+#ifdef SMOOTH_NORMAL
+layout(location = 9) in vec3 in_smooth_normal;
+out vec3 world_smooth_normal;
+#endif
 out float coordinate;
 out vec3 world_across;
 out float turning;
@@ -25,5 +29,8 @@ void main() {
     world_across = world_from_normal * in_frame.xyz;
     turning = in_frame.w;
     weight = in_weight;
+#ifdef SMOOTH_NORMAL
+    world_smooth_normal = world_from_normal * in_smooth_normal;
+#endif
 #endif
 }

@@ -11,6 +11,9 @@ in float coordinate;
 in vec3 world_across;
 in float turning;
 in float weight;
+#ifdef SMOOTH_NORMAL
+in vec3 world_smooth_normal;    // without the bumps of the surface: streaks that run over bumps stay together
+#endif
 uniform float natural_unit;     // of the coordinate: what a surface can be expected to turn on, in sets
 #endif
 
@@ -67,7 +70,11 @@ Stripes stripes_here(vec3 n, vec3 l) {
     s.weight = weight;
 
     // Seen from behind, the surface turns the other way.
-    float radians = (dot(n, world_normal) < 0.0 ? -turning : turning) / stripes_per_unit; // per stripe
+    float side = dot(n, world_normal) < 0.0 ? -1.0 : 1.0;
+    float radians = side * turning / stripes_per_unit; // per stripe
+#ifdef SMOOTH_NORMAL
+    n = side * normalize_or_zero(world_smooth_normal);
+#endif
     vec3 across = world_across - dot(world_across, n) * n;
     vec2 light = vec2(dot(across, l) * inversesqrt(max(dot(across, across), 1e-30)), dot(n, l));
     float angle = atan(light.x, light.y);

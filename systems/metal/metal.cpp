@@ -43,6 +43,7 @@ public:
 
     void add_defines(std::vector<gpu::ShaderDefine>& defines) const {
         if (by_angle) defines.push_back({"AROUND_AXIS", ""});
+        if (source == MetalSource::curvature) defines.push_back({"SMOOTH_NORMAL", ""});
         if (metal.highlight == MetalHighlight::halfway) defines.push_back({"HALFWAY", ""});
         if (metal.cool_to_warm > 0.0f) defines.push_back({"COOL_TO_WARM", ""});
     }

@@ -30,9 +30,9 @@ struct StripeLayout {
 };
 
 /// A mesh in some shape with its stripes, as metal.vert reads it: locations 0 to 5 as those of GpuMesh, 6 the
-/// coordinate, 7 the frame (StripeFramesJob), 8 the weight.
+/// coordinate, 7 the frame (StripeFramesJob), 8 the weight, 9 the normal without bumps, where the layout has lean.
 struct StripedShape {
-    gpu::Buffer positions, normals, tangents, frames;
+    gpu::Buffer positions, normals, tangents, frames, smooth_normals;
     gpu::VertexArray vertex_array;
     std::uint64_t layout = 0;
     std::uint64_t version = 0; ///< of the DrawShape
@@ -72,7 +72,7 @@ private:
 
     // Scratch, kept from frame to frame.
     geometry::StripeFramesJob job_;
-    std::vector<glm::vec3> positions_, normals_, stretched_positions_, stretched_normals_;
+    std::vector<glm::vec3> positions_, normals_, stretched_positions_, stretched_normals_, smooth_normals_;
     std::vector<glm::vec4> tangents_, frames_;
 };
 
