@@ -9,11 +9,18 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double most_bend = 0.5; // radians that a surface may turn over the length of smoothing
+constexpr double least_change = 2e-3; // radians
+constexpr double most_bend = 0.5;     // radians that a surface may turn over the length of smoothing
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
     return length > 0.1 && std::isfinite(length) ? v / length : otherwise;
+}
+
+/// The normal `to`, but a change as small as irregular triangles make counts as none.
+glm::dvec3 leant(const glm::dvec3& from, const glm::dvec3& to) {
+    const double change = glm::length(to - from);
+    return change > least_change ? glm::normalize(to + least_change / change * (from - to)) : from;
 }
 
 } // namespace
@@ -58,7 +65,7 @@ std::vector<glm::dvec3> smooth_sheet_normals(const SurfaceSheets& sheets, const 
         system.solve(x, x);
         for (std::size_t v = 0; v < count; ++v) result[v][axis] = x[v];
     }
-    for (std::size_t v = 0; v < count; ++v) result[v] = unit_or(result[v], normals[v]);
+    for (std::size_t v = 0; v < count; ++v) result[v] = leant(normals[v], unit_or(result[v], normals[v]));
     return result;
 }
 

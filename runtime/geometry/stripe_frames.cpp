@@ -13,12 +13,13 @@ namespace {
 enum class Added { all, turning };
 
 /// Adds what one triangle with these normals says to the vertices that stand for its corners.
-void add_triangle(StripeFramesJob& job, std::span<const glm::vec3> normals, const std::uint32_t* corner, Added added) {
+template <class Normal>
+void add_triangle(StripeFramesJob& job, std::span<Normal> normals, const std::uint32_t* corner, Added added) {
     glm::dvec3 p[3], n[3];
     double u[3];
     for (int k = 0; k < 3; ++k) {
         p[k] = job.positions[corner[k]];
-        n[k] = normals[corner[k]];
+        n[k] = glm::vec3(normals[corner[k]]);
         u[k] = job.coordinate[corner[k]];
     }
     const glm::dvec3 a = p[1] - p[0], b = p[2] - p[0], cross = glm::cross(a, b);
@@ -50,9 +51,13 @@ glm::dvec3 any_tangent(const glm::dvec3& n) {
     return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
 }
 
-glm::vec4 frame_of(const StripeFramesJob& job, std::span<const glm::vec3> normals, std::size_t vertex) {
-    const StripeFramesJob::Sum& sum = job.sums[job.stands_for.empty() ? vertex : job.stands_for[vertex]];
-    const glm::dvec3 n(normals[vertex]);
+const StripeFramesJob::Sum& sum_at(const StripeFramesJob& job, std::size_t vertex) {
+    return job.sums[job.stands_for.empty() ? vertex : job.stands_for[vertex]];
+}
+
+glm::vec4 frame_of(const StripeFramesJob& job, const glm::vec3& normal, std::size_t vertex) {
+    const StripeFramesJob::Sum& sum = sum_at(job, vertex);
+    const glm::dvec3 n(normal);
     const glm::dvec3 tangent = sum.gradient - glm::dot(sum.gradient, n) * n;
     const double length = glm::length(tangent);
     if (!(length > 1e-9 * sum.steepness) || !std::isfinite(length)) return {glm::vec3(any_tangent(n)), 0.0f};
@@ -62,7 +67,7 @@ glm::vec4 frame_of(const StripeFramesJob& job, std::span<const glm::vec3> normal
 }
 
 glm::vec3 smooth_normal_of(const StripeFramesJob& job, std::size_t vertex) {
-    const glm::vec3 n = job.normals[vertex], x(frame_of(job, job.normals, vertex)), lean = job.lean[vertex];
+    const glm::vec3 n = job.normals[vertex], x(frame_of(job, n, vertex)), lean = job.lean[vertex];
     const glm::vec3 normal = lean.x * x + lean.y * glm::cross(n, x) + lean.z * n;
     const float length = glm::length(normal);
     return length > 1e-6f && std::isfinite(length) ? normal / length : n;
@@ -88,15 +93,19 @@ void StripeFramesJob::validate() const {
 void StripeFramesJob::run() {
     sums.assign(positions.size(), Sum{glm::dvec3(0.0), 0.0, 0.0, 0.0});
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) add_triangle(*this, normals, &indices[i], Added::all);
-    std::span<const glm::vec3> turned = normals;
-    if (!lean.empty()) {
-        for (std::size_t v = 0; v < positions.size(); ++v) smooth_normals[v] = smooth_normal_of(*this, v);
-        for (Sum& sum : sums) sum.turning = 0.0;
-        turned = smooth_normals;
-        for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-            add_triangle(*this, turned, &indices[i], Added::turning);
+    if (lean.empty()) {
+        for (std::size_t v = 0; v < positions.size(); ++v) frames[v] = frame_of(*this, normals[v], v);
+        return;
     }
-    for (std::size_t v = 0; v < positions.size(); ++v) frames[v] = frame_of(*this, turned, v);
+    for (std::size_t v = 0; v < positions.size(); ++v) smooth_normals[v] = glm::vec4(smooth_normal_of(*this, v), 0.0f);
+    for (Sum& sum : sums) sum.turning = 0.0;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+        add_triangle(*this, smooth_normals, &indices[i], Added::turning);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        frames[v] = frame_of(*this, glm::vec3(smooth_normals[v]), v);
+        const Sum& sum = sum_at(*this, v);
+        if (sum.weight > 0.0) smooth_normals[v].w = static_cast<float>(sum.turning / sum.weight);
+    }
 }
 
 } // namespace hachure::geometry

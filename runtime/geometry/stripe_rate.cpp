@@ -14,8 +14,8 @@ namespace {
 
 constexpr double evenness = 0.05; // of the rate, against the curl
 constexpr double loyalty = 0.5;   // to the rate by curvature, over the square of the sheet's size
-constexpr double most_crowded = 5.0;
-constexpr double most_graded = 2.0; // in the logarithm: a factor of 7.4
+constexpr double most_crowded = 3.0;
+constexpr double most_graded = 0.8; // in the logarithm: a factor of 7.4
 
 /// The rate from curvature: close to the larger of two, and smooth.
 double wanted_rate(double curvature, double size, double sets) {

@@ -11,8 +11,9 @@ layout(location = 6) in float in_coordinate; // sets
 layout(location = 7) in vec4 in_frame;       // where the coordinate rises, and radians that the normal turns per set
 layout(location = 8) in float in_weight;
 #ifdef SMOOTH_NORMAL
-layout(location = 9) in vec3 in_smooth_normal;
+layout(location = 9) in vec4 in_smooth_normal; // and radians per metre that it turns
 out vec3 world_smooth_normal;
+out float turning_per_metre;
 #endif
 out float coordinate;
 out vec3 world_across;
@@ -30,7 +31,8 @@ void main() {
     turning = in_frame.w;
     weight = in_weight;
 #ifdef SMOOTH_NORMAL
-    world_smooth_normal = world_from_normal * in_smooth_normal;
+    world_smooth_normal = world_from_normal * in_smooth_normal.xyz;
+    turning_per_metre = in_smooth_normal.w;
 #endif
 #endif
 }

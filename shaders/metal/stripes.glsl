@@ -13,6 +13,8 @@ in float turning;
 in float weight;
 #ifdef SMOOTH_NORMAL
 in vec3 world_smooth_normal;    // without the bumps of the surface: streaks that run over bumps stay together
+in float turning_per_metre;     // of that normal, in the object's own metres
+uniform float object_size;
 #endif
 uniform float natural_unit;     // of the coordinate: what a surface can be expected to turn on, in sets
 #endif
@@ -82,7 +84,11 @@ Stripes stripes_here(vec3 n, vec3 l) {
     s.turn = max(2.0 * PI * abs(steep), 1.0);
     s.towards_light = angle * steep;
     s.light = light;
+#ifdef SMOOTH_NORMAL
+    s.bend = abs(turning_per_metre) * object_size;
+#else
     s.bend = abs(turning) * natural_unit;
+#endif
     return s;
 }
 
@@ -92,6 +98,6 @@ Stripes stripes_here(vec3 n, vec3 l) {
 float light_weight(Stripes s) {
     float cosine = s.light.y * inversesqrt(max(dot(s.light, s.light), 1e-30));
     return s.weight * faces_across(length(s.light)) * smoothstep(0.6, 1.6, s.bend) *
-           (1.0 - smoothstep(15.0, 40.0, s.bend)) * smoothstep(-1.0, -0.7071, cosine);
+           smoothstep(-1.0, -0.7071, cosine);
 }
 #endif

@@ -72,6 +72,7 @@ private:
             program.set("stripes_per_unit", sets_around(metal) * count);
         } else {
             program.set("stripes_per_unit", count);
+            if (source == MetalSource::curvature) program.set("object_size", 2.0f * mesh.bounds.radius());
             program.set("natural_unit", source == MetalSource::around_axis ? sets_around(metal) : metal.sets);
         }
     }

@@ -84,7 +84,7 @@ void MetalSurfaces::make(const SurfaceMesh& mesh, const StripeLayout& layout, St
     if (!mesh.tangents.empty()) shape.tangents = gpu::Buffer(count * sizeof(glm::vec4), usage, name + " tangents");
     shape.frames = gpu::Buffer(count * sizeof(glm::vec4), usage, name + " frames");
     if (!layout.stripes.lean.empty())
-        shape.smooth_normals = gpu::Buffer(count * sizeof(glm::vec3), usage, name + " smooth normals");
+        shape.smooth_normals = gpu::Buffer(count * sizeof(glm::vec4), usage, name + " smooth normals");
     shape.vertex_array = gpu::VertexArray(name);
     bind_floats(shape.vertex_array, 0, shape.positions, 3);
     bind_floats(shape.vertex_array, 1, shape.normals, 3);
@@ -95,7 +95,7 @@ void MetalSurfaces::make(const SurfaceMesh& mesh, const StripeLayout& layout, St
     bind_floats(shape.vertex_array, 6, layout.coordinate, 1);
     bind_floats(shape.vertex_array, 7, shape.frames, 4);
     bind_floats(shape.vertex_array, 8, layout.weight, 1);
-    bind_floats(shape.vertex_array, 9, shape.smooth_normals, 3);
+    bind_floats(shape.vertex_array, 9, shape.smooth_normals, 4);
     shape.vertex_array.set_index_buffer(layout.indices);
 }
 
@@ -111,7 +111,7 @@ void MetalSurfaces::fill(const SurfaceMesh& mesh, const DrawItem& item, const St
     shape.normals.update(std::span<const glm::vec3>(normals_));
     if (!tangents_.empty()) shape.tangents.update(std::span<const glm::vec4>(tangents_));
     shape.frames.update(std::span<const glm::vec4>(frames_));
-    if (!smooth_normals_.empty()) shape.smooth_normals.update(std::span<const glm::vec3>(smooth_normals_));
+    if (!smooth_normals_.empty()) shape.smooth_normals.update(std::span<const glm::vec4>(smooth_normals_));
 }
 
 void MetalSurfaces::compute_frames(const StripeLayout& layout, const glm::mat3& stretch) {
@@ -142,7 +142,7 @@ void MetalSurfaces::compute_frames(const StripeLayout& layout, const glm::mat3& 
     // So that the matrix of normals takes them to the world: it is scale * rotation * (S^T)^-1.
     const glm::mat3 back = glm::transpose(stretch);
     for (glm::vec4& frame : frames_) frame = glm::vec4(back * glm::vec3(frame), frame.w);
-    for (glm::vec3& normal : smooth_normals_) normal = back * normal;
+    for (glm::vec4& normal : smooth_normals_) normal = glm::vec4(back * glm::vec3(normal), normal.w);
 }
 
 void MetalSurfaces::forget_but(std::span<const DrawItem> items, const std::unordered_set<std::uint64_t>& layouts) {

@@ -30,7 +30,8 @@ struct StripeLayout {
 };
 
 /// A mesh in some shape with its stripes, as metal.vert reads it: locations 0 to 5 as those of GpuMesh, 6 the
-/// coordinate, 7 the frame (StripeFramesJob), 8 the weight, 9 the normal without bumps, where the layout has lean.
+/// coordinate, 7 the frame (StripeFramesJob), 8 the weight, 9 the normal without bumps and how it turns, where the
+/// layout has lean.
 struct StripedShape {
     gpu::Buffer positions, normals, tangents, frames, smooth_normals;
     gpu::VertexArray vertex_array;
@@ -72,8 +73,8 @@ private:
 
     // Scratch, kept from frame to frame.
     geometry::StripeFramesJob job_;
-    std::vector<glm::vec3> positions_, normals_, stretched_positions_, stretched_normals_, smooth_normals_;
-    std::vector<glm::vec4> tangents_, frames_;
+    std::vector<glm::vec3> positions_, normals_, stretched_positions_, stretched_normals_;
+    std::vector<glm::vec4> tangents_, frames_, smooth_normals_;
 };
 
 } // namespace hachure
