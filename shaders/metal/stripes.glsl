@@ -27,6 +27,7 @@ struct Stripes {
     float turn;          // stripes in a whole turn of the surface
     vec2 light;          // the light's direction across the streaks, in the plane of angles
     float bend;          // how the surface lies or turns, as light_weight() below reads it
+    float crumple;
 };
 
 // The light's stripe fades out where the light shines along the streaks, which then face it alike: `across` is the
@@ -86,8 +87,10 @@ Stripes stripes_here(vec3 n, vec3 l) {
     s.light = light;
 #ifdef SMOOTH_NORMAL
     s.bend = abs(turning_per_metre) * object_size;
+    s.crumple = abs(turning) * natural_unit;
 #else
     s.bend = abs(turning) * natural_unit;
+    s.crumple = 0.3 * s.bend;
 #endif
     return s;
 }
@@ -98,6 +101,6 @@ Stripes stripes_here(vec3 n, vec3 l) {
 float light_weight(Stripes s) {
     float cosine = s.light.y * inversesqrt(max(dot(s.light, s.light), 1e-30));
     return s.weight * faces_across(length(s.light)) * smoothstep(0.6, 1.6, s.bend) *
-           smoothstep(-1.0, -0.7071, cosine);
+           (1.0 - smoothstep(4.5, 9.0, s.crumple)) * smoothstep(-1.0, -0.7071, cosine);
 }
 #endif
