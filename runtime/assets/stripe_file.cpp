@@ -61,7 +61,7 @@ std::uint64_t hash_of(std::span<const std::byte> bytes, std::uint64_t seed = 0) 
 }
 
 std::uintmax_t file_size(std::uintmax_t vertices, std::uintmax_t indices) {
-    return sizeof(Header) + 29 * vertices + 4 * indices;
+    return sizeof(Header) + 33 * vertices + 4 * indices;
 }
 
 template <class T> void append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
@@ -83,7 +83,9 @@ bool is_sound(const geometry::StripeMesh& mesh, std::size_t vertices, std::span<
         if (mesh.stands_for[v] >= count || mesh.mirrored[v] > 1) return false;
         if (!(std::abs(mesh.coordinate[v]) <= 1e5f) || !(mesh.weight[v] >= 0.0f && mesh.weight[v] <= 1.0f))
             return false;
-        if (!(std::abs(glm::length(mesh.lean[v]) - 1.0f) < 1e-4f)) return false;
+        if (!(std::abs(glm::length(mesh.lean[v]) - 1.0f) < 1e-4f) ||
+            !(mesh.clarity[v] >= 0.0f && mesh.clarity[v] <= 1.0f))
+            return false;
     }
     for (std::size_t i = 0; i < indices.size(); ++i)
         if (mesh.indices[i] >= count || mesh.source_vertex[mesh.indices[i]] != indices[i]) return false;
@@ -121,6 +123,7 @@ std::vector<std::byte> stripe_file_bytes(const StripeKey& key, const geometry::S
     append(bytes, mesh.coordinate);
     append(bytes, mesh.weight);
     append(bytes, mesh.lean);
+    append(bytes, mesh.clarity);
     append(bytes, mesh.indices);
     append(bytes, mesh.mirrored);
     header.hash = hash_of(std::span(bytes).subspan(sizeof header));
@@ -150,6 +153,7 @@ std::optional<geometry::StripeMesh> read_stripe_file(std::span<const std::byte> 
     take(bytes, count, mesh.coordinate);
     take(bytes, count, mesh.weight);
     take(bytes, count, mesh.lean);
+    take(bytes, count, mesh.clarity);
     take(bytes, indices.size(), mesh.indices);
     take(bytes, count, mesh.mirrored);
     if (!is_sound(mesh, vertices, indices)) return std::nullopt;

@@ -191,6 +191,9 @@ StripeMesh make_stripe_mesh(std::span<const glm::vec3> positions, std::span<cons
     const std::vector<glm::dvec3> bumpy = sheet_normals(sheets, metric, normals, indices);
     const std::vector<glm::dvec3> smooth =
         smooth_sheet_normals(sheets, metric, curvature, bumpy, order, settings.detail);
+    const std::vector<double> clarity = stripe_clarity(sheets, metric, field, rates, phase);
+    for (const std::uint32_t v : assembly.sheet_vertices())
+        mesh.clarity.push_back(v == SurfaceSheets::none ? 1.0f : static_cast<float>(clarity[v]));
     mesh.lean = lean_of(mesh, positions, normals, assembly.sheet_vertices(), bumpy, smooth);
     return mesh;
 }

@@ -44,6 +44,9 @@ struct StripeMesh {
     /// Per vertex: the normal without the bumps of the surface, where the drawn normal n is (0, 0, 1), X of
     /// StripeFramesJob (1, 0, 0) and n x X (0, 1, 0). Unit.
     std::vector<glm::vec3> lean;
+    /// Per vertex in [0, 1]: how clear it is which stripe faces a light. 0 near singularities, where stripes turn
+    /// round, and where they are much wider than they were to be.
+    std::vector<float> clarity;
 
     [[nodiscard]] bool operator==(const StripeMesh&) const = default;
 };

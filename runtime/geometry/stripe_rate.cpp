@@ -15,7 +15,7 @@ namespace {
 constexpr double evenness = 0.05; // of the rate, against the curl
 constexpr double loyalty = 0.5;   // to the rate by curvature, over the square of the sheet's size
 constexpr double most_crowded = 5.0;
-constexpr double most_graded = 2.0; // in the logarithm: a factor of 7.4
+constexpr double most_graded = 2.0;  // in the logarithm: a factor of 7.4
 constexpr double most_thinned = 0.4; // a factor of 1.5: streaks far apart look like spots
 
 /// The rate from curvature: close to the larger of two, and smooth.

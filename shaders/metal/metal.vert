@@ -12,7 +12,9 @@ layout(location = 7) in vec4 in_frame;       // where the coordinate rises, and 
 layout(location = 8) in float in_weight;
 #ifdef SMOOTH_NORMAL
 layout(location = 9) in vec4 in_smooth_normal; // and radians per metre that it turns
+layout(location = 10) in float in_clarity;
 out vec3 world_smooth_normal;
+out float clarity;
 out float turning_per_metre;
 #endif
 out float coordinate;
@@ -32,6 +34,7 @@ void main() {
     weight = in_weight;
 #ifdef SMOOTH_NORMAL
     world_smooth_normal = world_from_normal * in_smooth_normal.xyz;
+    clarity = in_clarity;
     turning_per_metre = in_smooth_normal.w;
 #endif
 #endif

@@ -14,6 +14,7 @@ in float weight;
 #ifdef SMOOTH_NORMAL
 in vec3 world_smooth_normal;    // without the bumps of the surface: streaks that run over bumps stay together
 in float turning_per_metre;     // of that normal, in the object's own metres
+in float clarity;               // of where the light's stripe is
 uniform float object_size;
 #endif
 uniform float natural_unit;     // of the coordinate: what a surface can be expected to turn on, in sets
@@ -27,7 +28,7 @@ struct Stripes {
     float turn;          // stripes in a whole turn of the surface
     vec2 light;          // the light's direction across the streaks, in the plane of angles
     float bend;          // how the surface lies or turns, as light_weight() below reads it
-    float crumple;
+    float clarity;       // of where the light's stripe is
 };
 
 // The light's stripe fades out where the light shines along the streaks, which then face it alike: `across` is the
@@ -87,10 +88,10 @@ Stripes stripes_here(vec3 n, vec3 l) {
     s.light = light;
 #ifdef SMOOTH_NORMAL
     s.bend = abs(turning_per_metre) * object_size;
-    s.crumple = abs(turning) * natural_unit;
+    s.clarity = clarity;
 #else
     s.bend = abs(turning) * natural_unit;
-    s.crumple = 0.3 * s.bend;
+    s.clarity = 1.0 - smoothstep(15.0, 40.0, s.bend);
 #endif
     return s;
 }
@@ -101,6 +102,6 @@ Stripes stripes_here(vec3 n, vec3 l) {
 float light_weight(Stripes s) {
     float cosine = s.light.y * inversesqrt(max(dot(s.light, s.light), 1e-30));
     return s.weight * faces_across(length(s.light)) * smoothstep(0.6, 1.6, s.bend) *
-           (1.0 - smoothstep(4.5, 9.0, s.crumple)) * smoothstep(-1.0, -0.7071, cosine);
+           s.clarity * smoothstep(-1.0, -0.7071, cosine);
 }
 #endif

@@ -64,6 +64,8 @@ void MetalSurfaces::upload(const SurfaceMesh& mesh, StripeLayout& layout) {
     const geometry::StripeMesh& stripes = layout.stripes;
     layout.coordinate = gpu::Buffer(std::span<const float>(stripes.coordinate), mesh.name + " stripes");
     layout.weight = gpu::Buffer(std::span<const float>(stripes.weight), mesh.name + " stripe weights");
+    if (!stripes.clarity.empty())
+        layout.clarity = gpu::Buffer(std::span<const float>(stripes.clarity), mesh.name + " stripe clarity");
     layout.texcoords = upload_gathered(mesh.texcoords, stripes, mesh.name + " striped texcoords");
     layout.colors = upload_gathered(mesh.colors, stripes, mesh.name + " striped colors");
     layout.normal_texcoords = upload_gathered(mesh.normal_texcoords, stripes, mesh.name + " striped normal texcoords");
@@ -96,6 +98,7 @@ void MetalSurfaces::make(const SurfaceMesh& mesh, const StripeLayout& layout, St
     bind_floats(shape.vertex_array, 7, shape.frames, 4);
     bind_floats(shape.vertex_array, 8, layout.weight, 1);
     bind_floats(shape.vertex_array, 9, shape.smooth_normals, 4);
+    bind_floats(shape.vertex_array, 10, layout.clarity, 1);
     shape.vertex_array.set_index_buffer(layout.indices);
 }
 
