@@ -14,7 +14,7 @@ namespace {
 constexpr double obedience = 20.0; // to the direction, where curvature is sure of it, against an even rate
 constexpr double least_obedience = 2.0;
 constexpr double inertia = 1e-6; // keeps the matrix regular, over the square of a sheet's size
-constexpr int rounds = 6;        // in each, directions are measured by the rates of the one before
+constexpr int rounds = 4;        // in each, directions are measured by the rates of the one before
 constexpr double most_uneven = 10.0;
 
 /// The growth of the phase in a triangle, as corner 0 counts it: the corners' values are `sign * value + jump`.
@@ -100,7 +100,7 @@ void fit_phase(const SurfaceSheets& sheets, const SheetMetric& metric, const Dir
             const auto& v = sheets.triangles[t];
             const double rate = mean_of(rates, v), sure = mean_of(confidence, v);
             const double strict =
-                std::min(least_obedience + (obedience - least_obedience) * sure, std::pow(3.0, round));
+                std::min(least_obedience + (obedience - least_obedience) * sure, std::pow(4.0, round));
             const Wish wish = round == 0
                                   ? Wish{rate, 1.0 / (rate * rate), 1.0 / (rate * rate)}
                                   : wish_for(glm::dot(growth.gradient(v, phase.value), growth.flat.direction), rate);

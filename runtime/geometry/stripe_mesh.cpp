@@ -159,9 +159,8 @@ std::vector<glm::vec3> lean_of(const StripeMesh& mesh, std::span<const glm::vec3
         .run();
     for (std::size_t v = 0; v < count; ++v) {
         if (sheet_vertices[v] == SurfaceSheets::none) continue;
-        // What turns the mean normal to the smooth one turns the drawn normal, too, where it is not the mean.
         const glm::dvec3 n(normals[v]), x(glm::vec3(frames[v])), y = glm::cross(n, x);
-        const glm::dvec3 wanted = n + smooth[sheet_vertices[v]] - bumpy[sheet_vertices[v]];
+        const glm::dvec3& wanted = smooth[sheet_vertices[v]];
         const glm::dvec3 own(glm::dot(wanted, x), glm::dot(wanted, y), glm::dot(wanted, n));
         const double length = glm::length(own);
         if (length > 1e-3 && std::isfinite(length)) lean[v] = glm::vec3(own / length);
