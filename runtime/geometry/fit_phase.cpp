@@ -11,7 +11,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double obedience = 20.0; // to the direction, where curvature is sure of it, against an even rate
+constexpr double obedience = 40.0; // to the direction, where curvature is sure of it, against an even rate
 constexpr double least_obedience = 2.0;
 constexpr double inertia = 1e-6; // keeps the matrix regular, over the square of a sheet's size
 constexpr int rounds = 4;        // in each, directions are measured by the rates of the one before

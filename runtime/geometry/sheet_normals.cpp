@@ -64,6 +64,11 @@ std::vector<glm::dvec3> smooth_sheet_normals(const SurfaceSheets& sheets, const 
         for (std::size_t v = 0; v < count; ++v) x[v] = metric.mass[v] * normals[v][axis];
         system.solve(x, x);
         for (std::size_t v = 0; v < count; ++v) result[v][axis] = x[v];
+        // Once more for what that took away: bends keep their normals to the second order of the time, bumps go all the
+        // same.
+        for (std::size_t v = 0; v < count; ++v) x[v] = metric.mass[v] * (normals[v][axis] - result[v][axis]);
+        system.solve(x, x);
+        for (std::size_t v = 0; v < count; ++v) result[v][axis] += x[v];
     }
     for (std::size_t v = 0; v < count; ++v) result[v] = leant(normals[v], unit_or(result[v], normals[v]));
     return result;

@@ -191,8 +191,10 @@ StripeMesh make_stripe_mesh(std::span<const glm::vec3> positions, std::span<cons
     const std::vector<glm::dvec3> smooth =
         smooth_sheet_normals(sheets, metric, curvature, bumpy, order, settings.detail);
     const std::vector<double> clarity = stripe_clarity(sheets, metric, field, rates, phase);
-    for (const std::uint32_t v : assembly.sheet_vertices())
-        mesh.clarity.push_back(v == SurfaceSheets::none ? 1.0f : static_cast<float>(clarity[v]));
+    for (std::size_t v = 0; v < mesh.weight.size(); ++v) {
+        const std::uint32_t own = assembly.sheet_vertices()[v];
+        mesh.clarity.push_back(own == SurfaceSheets::none ? mesh.weight[v] : static_cast<float>(clarity[own]));
+    }
     mesh.lean = lean_of(mesh, positions, normals, assembly.sheet_vertices(), bumpy, smooth);
     return mesh;
 }

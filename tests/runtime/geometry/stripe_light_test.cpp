@@ -73,7 +73,9 @@ TEST(StripeLight, OnCylindersNothingIsSmoothed) {
         EXPECT_LT(glm::length(striped.mesh.lean[v] - glm::vec3(0.0f, 0.0f, 1.0f)), 1e-6f);
         EXPECT_EQ(striped.mesh.clarity[v], 1.0f);
         EXPECT_LT(glm::length(lit.frames[v] - striped.frames[v]), 1e-5f);
-        if (std::abs(striped.normals[v].y) < 0.5f) EXPECT_NEAR(std::abs(lit.normals[v].w), 2.0, 0.01);
+        if (std::abs(striped.normals[v].y) < 0.5f) {
+            EXPECT_NEAR(std::abs(lit.normals[v].w), 2.0, 0.01);
+        }
     }
 }
 
@@ -94,8 +96,12 @@ TEST(StripeLight, IsUnclearNearSingularitiesOnly) {
     const Striped striped(uv_sphere(1.0, 64, 32));
     std::size_t unclear = 0;
     for (std::size_t v = 0; v < striped.positions.size(); ++v) {
-        if (striped.mesh.weight[v] == 0.0f) EXPECT_EQ(striped.mesh.clarity[v], 0.0f);
-        if (std::abs(striped.positions[v].y) < 0.5f) EXPECT_GT(striped.mesh.clarity[v], 0.9f);
+        if (striped.mesh.weight[v] == 0.0f) {
+            EXPECT_EQ(striped.mesh.clarity[v], 0.0f);
+        }
+        if (std::abs(striped.positions[v].y) < 0.5f) {
+            EXPECT_GT(striped.mesh.clarity[v], 0.9f);
+        }
         if (striped.mesh.clarity[v] < 0.5f) ++unclear;
     }
     EXPECT_GT(unclear, 0u);
