@@ -11,7 +11,7 @@
 namespace hachure::assets {
 namespace {
 
-constexpr std::uint64_t version = 2; ///< to be raised when the method's results or the format change
+constexpr std::uint64_t version = 3; ///< to be raised when the method's results or the format change
 constexpr char magic[] = {'H', 'A', 'C', 'H', 'S', 'T', 'R', 'P'};
 
 /// A 64-bit hash of words, one multiplication and one rotation each (the rounds of xxHash64's tail).
