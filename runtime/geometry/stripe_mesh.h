@@ -12,7 +12,8 @@ namespace hachure::geometry {
 struct StripeSettings {
     /// Sets of stripes per half turn of the surface's normal across the streaks, where it is curved, and across the
     /// object's size (the diagonal of its bounds), where it is flat. Sheets whose direction field has n singularities
-    /// get sqrt(n) times as many, at most 5 times: a coordinate needs room to turn between them. Positive.
+    /// get sqrt(n) times as many, at most 5 times, and up to twice that where flat: a coordinate needs room to turn
+    /// between them. Positive.
     double sets = 1.0;
     /// The least detail whose curvature counts, over the size of each smooth part: curvature is smoothed to this
     /// length.
