@@ -1,6 +1,7 @@
 #include <hachure/runtime/assets/stripe_file.h>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +11,7 @@
 namespace hachure::assets {
 namespace {
 
-constexpr std::uint64_t version = 1; ///< to be raised when the method's results or the format change
+constexpr std::uint64_t version = 3; ///< to be raised when the method's results or the format change
 constexpr char magic[] = {'H', 'A', 'C', 'H', 'S', 'T', 'R', 'P'};
 
 /// A 64-bit hash of words, one multiplication and one rotation each (the rounds of xxHash64's tail).
@@ -60,7 +61,7 @@ std::uint64_t hash_of(std::span<const std::byte> bytes, std::uint64_t seed = 0) 
 }
 
 std::uintmax_t file_size(std::uintmax_t vertices, std::uintmax_t indices) {
-    return sizeof(Header) + 17 * vertices + 4 * indices;
+    return sizeof(Header) + 33 * vertices + 4 * indices;
 }
 
 template <class T> void append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
@@ -81,6 +82,9 @@ bool is_sound(const geometry::StripeMesh& mesh, std::size_t vertices, std::span<
         if (v < vertices ? mesh.source_vertex[v] != v : mesh.source_vertex[v] >= vertices) return false;
         if (mesh.stands_for[v] >= count || mesh.mirrored[v] > 1) return false;
         if (!(std::abs(mesh.coordinate[v]) <= 1e5f) || !(mesh.weight[v] >= 0.0f && mesh.weight[v] <= 1.0f))
+            return false;
+        if (!(std::abs(glm::length(mesh.lean[v]) - 1.0f) < 1e-4f) ||
+            !(mesh.clarity[v] >= 0.0f && mesh.clarity[v] <= 1.0f))
             return false;
     }
     for (std::size_t i = 0; i < indices.size(); ++i)
@@ -118,6 +122,8 @@ std::vector<std::byte> stripe_file_bytes(const StripeKey& key, const geometry::S
     append(bytes, mesh.stands_for);
     append(bytes, mesh.coordinate);
     append(bytes, mesh.weight);
+    append(bytes, mesh.lean);
+    append(bytes, mesh.clarity);
     append(bytes, mesh.indices);
     append(bytes, mesh.mirrored);
     header.hash = hash_of(std::span(bytes).subspan(sizeof header));
@@ -146,6 +152,8 @@ std::optional<geometry::StripeMesh> read_stripe_file(std::span<const std::byte> 
     take(bytes, count, mesh.stands_for);
     take(bytes, count, mesh.coordinate);
     take(bytes, count, mesh.weight);
+    take(bytes, count, mesh.lean);
+    take(bytes, count, mesh.clarity);
     take(bytes, indices.size(), mesh.indices);
     take(bytes, count, mesh.mirrored);
     if (!is_sound(mesh, vertices, indices)) return std::nullopt;

@@ -30,4 +30,12 @@ inline void add_turned_difference(SparseSystem& system, std::size_t a, std::size
     system.add(2 * b + 1, 2 * a + 1, -sign * c);
 }
 
+/// weight * |z_b - turn z_a|^2 for complex unknowns; |turn| = 1.
+inline void add_turned_difference(HermitianSystem& system, std::size_t a, std::size_t b, double weight,
+                                  std::complex<double> turn) {
+    system.add(a, a, weight);
+    system.add(b, b, weight);
+    system.add(b, a, -weight * turn);
+}
+
 } // namespace hachure::geometry

@@ -57,8 +57,8 @@ DirectionField direction_field(const SurfaceSheets& sheets, const SheetMetric& m
                                std::span<const std::uint32_t> order, double detail) {
     const std::size_t count = sheets.positions.size();
     const std::vector<double> confidence = direction_confidences(metric, curvature);
-    SparseSystem system(order, 2);
-    std::vector<double> right(2 * count);
+    HermitianSystem system(order);
+    std::vector<Complex> right(count);
     DirectionField field{.lines = std::vector<Complex>(count), .half_turns = {}};
     for (std::uint32_t v = 0; v < count; ++v) {
         const double own = metric.sheet_size[sheets.sheet[v]];
@@ -67,9 +67,8 @@ DirectionField direction_field(const SurfaceSheets& sheets, const SheetMetric& m
                      fallback = default_strength / (own * own);
         const Complex other = default_line(metric.axis[v], glm::cross(metric.normal[v], metric.axis[v]));
         const Complex sum = metric.mass[v] * (strength * unit_or(wanted, 0.0) + fallback * other);
-        for (std::size_t k = 0; k < 2; ++k) system.add(2 * v + k, 2 * v + k, metric.mass[v] * (strength + fallback));
-        right[2 * v] = sum.real();
-        right[2 * v + 1] = sum.imag();
+        system.add(v, v, metric.mass[v] * (strength + fallback));
+        right[v] = sum;
         field.lines[v] = unit_or(other, 1.0);
     }
     for (std::uint32_t h = 0; h < sheets.opposite.size(); ++h)
@@ -78,8 +77,7 @@ DirectionField direction_field(const SurfaceSheets& sheets, const SheetMetric& m
                                   std::polar(1.0, 2.0 * metric.transport(h)));
     if (system.factorise()) {
         system.solve(right, right);
-        for (std::size_t v = 0; v < count; ++v)
-            field.lines[v] = unit_or({right[2 * v], right[2 * v + 1]}, field.lines[v]);
+        for (std::size_t v = 0; v < count; ++v) field.lines[v] = unit_or(right[v], field.lines[v]);
     }
     for (std::uint32_t t = 0; t < sheets.triangles.size(); ++t) {
         double sum = 2.0 * metric.excess[t];

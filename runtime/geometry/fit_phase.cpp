@@ -12,10 +12,10 @@ namespace hachure::geometry {
 namespace {
 
 constexpr double obedience = 40.0; // to the direction, where curvature is sure of it, against an even rate
-constexpr double least_obedience = 4.0;
+constexpr double least_obedience = 2.0;
 constexpr double inertia = 1e-6; // keeps the matrix regular, over the square of a sheet's size
-constexpr int rounds = 6;        // in each, directions are measured by the rates of the one before
-constexpr double most_uneven = 20.0;
+constexpr int rounds = 4;        // in each, directions are measured by the rates of the one before
+constexpr double most_uneven = 10.0;
 
 /// The growth of the phase in a triangle, as corner 0 counts it: the corners' values are `sign * value + jump`.
 struct Growth {
@@ -60,6 +60,23 @@ struct Equations {
     }
 };
 
+/// How the next round is to pull at the growth across the stripes, and along them.
+struct Wish {
+    double growth, weight, across_weight;
+};
+
+/// The energy per area is log(own / rate)^2 + strict * (along / own)^2, where `own` is the growth in the direction
+/// across the stripes: it does not change with the scale of both, so that a triangle gains nothing by growing less.
+/// Above the rate, the weight that has the energy's value; below, the step of Newton and Gauss, which pulls up as
+/// strongly as what grows along the streaks pulls down.
+Wish wish_for(double own, double rate) {
+    own = std::clamp(own, rate / most_uneven, rate * most_uneven);
+    const double ratio = std::log(own / rate), across = 1.0 / (own * own);
+    if (ratio < 0.0) return {own * (1.0 - ratio), across, across};
+    const double off = own - rate;
+    return {rate, off > 1e-3 * rate ? ratio * ratio / (off * off) : 1.0 / (rate * rate), across};
+}
+
 double mean_of(std::span<const double> values, const std::array<std::uint32_t, 3>& v) {
     return (values[v[0]] + values[v[1]] + values[v[2]]) / 3.0;
 }
@@ -81,17 +98,14 @@ void fit_phase(const SurfaceSheets& sheets, const SheetMetric& metric, const Dir
             Growth growth{};
             if (!growth_in(sheets, metric, field, phase, t, growth)) continue;
             const auto& v = sheets.triangles[t];
-            const double rate = mean_of(rates, v);
-            double own = rate;
-            if (round > 0) {
-                own = glm::dot(growth.gradient(v, phase.value), growth.flat.direction);
-                own = std::clamp(own, rate / most_uneven, rate * most_uneven);
-            }
-            const double sure = mean_of(confidence, v);
+            const double rate = mean_of(rates, v), sure = mean_of(confidence, v);
             const double strict =
-                std::min(least_obedience + (obedience - least_obedience) * sure, std::pow(3.0, round));
-            equations.add(v, growth, growth.flat.direction, rate, growth.flat.area / (rate * rate));
-            equations.add(v, growth, growth.flat.across(), 0.0, strict * growth.flat.area / (own * own));
+                std::min(least_obedience + (obedience - least_obedience) * sure, std::pow(4.0, round));
+            const Wish wish = round == 0
+                                  ? Wish{rate, 1.0 / (rate * rate), 1.0 / (rate * rate)}
+                                  : wish_for(glm::dot(growth.gradient(v, phase.value), growth.flat.direction), rate);
+            equations.add(v, growth, growth.flat.direction, wish.growth, growth.flat.area * wish.weight);
+            equations.add(v, growth, growth.flat.across(), 0.0, strict * growth.flat.area * wish.across_weight);
         }
         // Edges hold together what no triangle does: at tips, singularities and slivers.
         for (std::uint32_t h = 0; h < sheets.opposite.size(); ++h) {

@@ -47,16 +47,17 @@ SheetCurvature sheet_curvature(const SurfaceSheets& sheets, const SheetMetric& m
                                std::span<const std::uint32_t> order, double detail) {
     SheetCurvature curvature = raw_curvature(sheets, metric);
     const std::size_t count = sheets.positions.size();
-    SparseSystem scalars(order, 1), deviators(order, 2);
-    std::vector<double> right(count), rights(2 * count);
+    SparseSystem scalars(order, 1);
+    HermitianSystem deviators(order);
+    std::vector<double> right(count);
+    std::vector<std::complex<double>> rights(count);
     // After time t the heat kernel has a deviation of sqrt(2t).
     const auto time = [&](std::uint32_t v) { return 0.5 * std::pow(detail * metric.sheet_size[sheets.sheet[v]], 2); };
     for (std::uint32_t v = 0; v < count; ++v) {
         scalars.add(v, v, metric.mass[v]);
-        for (std::size_t k = 0; k < 2; ++k) deviators.add(2 * v + k, 2 * v + k, metric.mass[v]);
+        deviators.add(v, v, metric.mass[v]);
         right[v] = metric.mass[v] * curvature.mean[v];
-        rights[2 * v] = metric.mass[v] * curvature.deviator[v].real();
-        rights[2 * v + 1] = metric.mass[v] * curvature.deviator[v].imag();
+        rights[v] = metric.mass[v] * curvature.deviator[v];
     }
     for (std::uint32_t h = 0; h < sheets.opposite.size(); ++h) {
         if (!sheets.is_first(h)) continue;
@@ -67,8 +68,7 @@ SheetCurvature sheet_curvature(const SurfaceSheets& sheets, const SheetMetric& m
     }
     if (!scalars.factorise() || !deviators.factorise()) return curvature;
     scalars.solve(right, curvature.mean);
-    deviators.solve(rights, rights);
-    for (std::size_t v = 0; v < count; ++v) curvature.deviator[v] = {rights[2 * v], rights[2 * v + 1]};
+    deviators.solve(rights, curvature.deviator);
     return curvature;
 }
 

@@ -11,6 +11,38 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Triplet = Eigen::Triplet<double>;
 
+/// Equations that are factorised as they are ordered.
+template <class Scalar> struct Equations {
+    std::vector<Eigen::Triplet<Scalar>> entries;
+    std::vector<std::size_t> places; ///< per unknown
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<Scalar>, Eigen::Lower, Eigen::NaturalOrdering<int>> solver;
+    mutable Eigen::Matrix<Scalar, Eigen::Dynamic, 1> scratch;
+
+    /// In the lower triangle, by places.
+    void add(std::size_t row, std::size_t column, Scalar value) {
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+    }
+
+    bool factorise() {
+        const auto size = static_cast<Eigen::Index>(places.size());
+        Eigen::SparseMatrix<Scalar> matrix(size, size);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        entries = {};
+        if (size == 0) return true;
+        solver.compute(matrix);
+        return solver.info() == Eigen::Success && solver.vectorD().real().minCoeff() > 0.0;
+    }
+
+    void solve(std::span<const Scalar> right, std::span<Scalar> x) const {
+        HACHURE_ASSERT(right.size() == places.size() && x.size() == places.size(), "one number per unknown");
+        if (places.empty()) return;
+        scratch.resize(static_cast<Eigen::Index>(places.size()));
+        for (std::size_t i = 0; i < places.size(); ++i) scratch[static_cast<Eigen::Index>(places[i])] = right[i];
+        const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> solution = solver.solve(scratch);
+        for (std::size_t i = 0; i < places.size(); ++i) x[i] = solution[static_cast<Eigen::Index>(places[i])];
+    }
+};
+
 } // namespace
 
 std::vector<std::uint32_t> elimination_order(std::size_t vertices,
@@ -31,12 +63,8 @@ std::vector<std::uint32_t> elimination_order(std::size_t vertices,
     return places;
 }
 
-struct SparseSystem::Factors {
-    std::vector<Triplet> entries;
-    std::vector<std::size_t> places; ///< per unknown
-    Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> solver;
-    mutable Eigen::VectorXd scratch;
-};
+struct SparseSystem::Factors : Equations<double> {};
+struct HermitianSystem::Factors : Equations<std::complex<double>> {};
 
 SparseSystem::SparseSystem(std::span<const std::uint32_t> order, std::size_t block)
     : factors_(std::make_unique<Factors>()) {
@@ -51,28 +79,30 @@ SparseSystem& SparseSystem::operator=(SparseSystem&&) noexcept = default;
 
 void SparseSystem::add(std::size_t a, std::size_t b, double value) {
     const std::size_t p = factors_->places[a], q = factors_->places[b];
-    factors_->entries.emplace_back(static_cast<int>(std::max(p, q)), static_cast<int>(std::min(p, q)), value);
+    factors_->add(std::max(p, q), std::min(p, q), value);
 }
 
-bool SparseSystem::factorise() {
-    const auto size = static_cast<Eigen::Index>(factors_->places.size());
-    Matrix matrix(size, size);
-    matrix.setFromTriplets(factors_->entries.begin(), factors_->entries.end());
-    factors_->entries = {};
-    if (size == 0) return true;
-    factors_->solver.compute(matrix);
-    return factors_->solver.info() == Eigen::Success && factors_->solver.vectorD().minCoeff() > 0.0;
+bool SparseSystem::factorise() { return factors_->factorise(); }
+
+void SparseSystem::solve(std::span<const double> right, std::span<double> x) const { factors_->solve(right, x); }
+
+HermitianSystem::HermitianSystem(std::span<const std::uint32_t> order) : factors_(std::make_unique<Factors>()) {
+    factors_->places.assign(order.begin(), order.end());
 }
 
-void SparseSystem::solve(std::span<const double> right, std::span<double> x) const {
-    const std::vector<std::size_t>& places = factors_->places;
-    HACHURE_ASSERT(right.size() == places.size() && x.size() == places.size(), "one number per unknown");
-    if (places.empty()) return;
-    Eigen::VectorXd& b = factors_->scratch;
-    b.resize(static_cast<Eigen::Index>(places.size()));
-    for (std::size_t i = 0; i < places.size(); ++i) b[static_cast<Eigen::Index>(places[i])] = right[i];
-    const Eigen::VectorXd solution = factors_->solver.solve(b);
-    for (std::size_t i = 0; i < places.size(); ++i) x[i] = solution[static_cast<Eigen::Index>(places[i])];
+HermitianSystem::~HermitianSystem() = default;
+HermitianSystem::HermitianSystem(HermitianSystem&&) noexcept = default;
+HermitianSystem& HermitianSystem::operator=(HermitianSystem&&) noexcept = default;
+
+void HermitianSystem::add(std::size_t a, std::size_t b, std::complex<double> value) {
+    const std::size_t p = factors_->places[a], q = factors_->places[b];
+    factors_->add(std::max(p, q), std::min(p, q), p < q ? std::conj(value) : value);
+}
+
+bool HermitianSystem::factorise() { return factors_->factorise(); }
+
+void HermitianSystem::solve(std::span<const std::complex<double>> right, std::span<std::complex<double>> x) const {
+    factors_->solve(right, x);
 }
 
 } // namespace hachure::geometry

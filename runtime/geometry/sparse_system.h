@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -33,6 +34,24 @@ public:
 
     /// `right` and `x` hold block * vertices numbers and may be the same.
     void solve(std::span<const double> right, std::span<double> x) const;
+
+private:
+    struct Factors;
+    std::unique_ptr<Factors> factors_;
+};
+
+/// The same for complex unknowns, one per vertex, and a Hermitian matrix: half the work of two real ones.
+class HermitianSystem {
+public:
+    explicit HermitianSystem(std::span<const std::uint32_t> order);
+    ~HermitianSystem();
+    HermitianSystem(HermitianSystem&&) noexcept;
+    HermitianSystem& operator=(HermitianSystem&&) noexcept;
+
+    /// Adds to the entry in row `a` and column `b`, and the conjugate to its mirror image.
+    void add(std::size_t a, std::size_t b, std::complex<double> value);
+    [[nodiscard]] bool factorise();
+    void solve(std::span<const std::complex<double>> right, std::span<std::complex<double>> x) const;
 
 private:
     struct Factors;

@@ -9,13 +9,17 @@
 namespace hachure::geometry {
 namespace {
 
-/// Adds what one triangle says to the vertices that stand for its corners.
-void add_triangle(StripeFramesJob& job, const std::uint32_t* corner) {
+/// What is added by add_triangle below.
+enum class Added { all, turning };
+
+/// Adds what one triangle with these normals says to the vertices that stand for its corners.
+template <class Normal>
+void add_triangle(StripeFramesJob& job, std::span<Normal> normals, const std::uint32_t* corner, Added added) {
     glm::dvec3 p[3], n[3];
     double u[3];
     for (int k = 0; k < 3; ++k) {
         p[k] = job.positions[corner[k]];
-        n[k] = job.normals[corner[k]];
+        n[k] = glm::vec3(normals[corner[k]]);
         u[k] = job.coordinate[corner[k]];
     }
     const glm::dvec3 a = p[1] - p[0], b = p[2] - p[0], cross = glm::cross(a, b);
@@ -33,8 +37,9 @@ void add_triangle(StripeFramesJob& job, const std::uint32_t* corner) {
         const std::uint32_t v = corner[k], stands = job.stands_for.empty() ? v : job.stands_for[v];
         const double sign = !job.mirrored.empty() && job.mirrored[v] != 0 ? -1.0 : 1.0;
         StripeFramesJob::Sum& sum = job.sums[stands];
-        sum.gradient += sign * weight * gradient;
         sum.turning += weight * turning;
+        if (added == Added::turning) continue;
+        sum.gradient += sign * weight * gradient;
         sum.steepness += weight * steepness;
         sum.weight += weight;
     }
@@ -46,15 +51,26 @@ glm::dvec3 any_tangent(const glm::dvec3& n) {
     return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
 }
 
-glm::vec4 frame_of(const StripeFramesJob& job, std::size_t vertex) {
-    const StripeFramesJob::Sum& sum = job.sums[job.stands_for.empty() ? vertex : job.stands_for[vertex]];
-    const glm::dvec3 n(job.normals[vertex]);
+const StripeFramesJob::Sum& sum_at(const StripeFramesJob& job, std::size_t vertex) {
+    return job.sums[job.stands_for.empty() ? vertex : job.stands_for[vertex]];
+}
+
+glm::vec4 frame_of(const StripeFramesJob& job, const glm::vec3& normal, std::size_t vertex) {
+    const StripeFramesJob::Sum& sum = sum_at(job, vertex);
+    const glm::dvec3 n(normal);
     const glm::dvec3 tangent = sum.gradient - glm::dot(sum.gradient, n) * n;
     const double length = glm::length(tangent);
     if (!(length > 1e-9 * sum.steepness) || !std::isfinite(length)) return {glm::vec3(any_tangent(n)), 0.0f};
     const double sign = !job.mirrored.empty() && job.mirrored[vertex] != 0 ? -1.0 : 1.0;
     const auto kappa = static_cast<float>(sum.turning / sum.steepness);
     return {glm::vec3(sign * tangent / length), std::isfinite(kappa) ? kappa : 0.0f};
+}
+
+glm::vec3 smooth_normal_of(const StripeFramesJob& job, std::size_t vertex) {
+    const glm::vec3 n = job.normals[vertex], x(frame_of(job, n, vertex)), lean = job.lean[vertex];
+    const glm::vec3 normal = lean.x * x + lean.y * glm::cross(n, x) + lean.z * n;
+    const float length = glm::length(normal);
+    return length > 1e-6f && std::isfinite(length) ? normal / length : n;
 }
 
 } // namespace
@@ -67,6 +83,8 @@ void StripeFramesJob::validate() const {
     HACHURE_ASSERT(stands_for.size() == mirrored.size() &&
                        (stands_for.empty() || stands_for.size() == positions.size()),
                    "one element per vertex, or none");
+    HACHURE_ASSERT(lean.size() == smooth_normals.size() && (lean.empty() || lean.size() == positions.size()),
+                   "one element per vertex, or none");
     const auto in_range = [&](std::uint32_t i) { return i < positions.size(); };
     HACHURE_ASSERT(std::ranges::all_of(indices, in_range) && std::ranges::all_of(stands_for, in_range),
                    "indices must be in range");
@@ -74,8 +92,20 @@ void StripeFramesJob::validate() const {
 
 void StripeFramesJob::run() {
     sums.assign(positions.size(), Sum{glm::dvec3(0.0), 0.0, 0.0, 0.0});
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) add_triangle(*this, &indices[i]);
-    for (std::size_t v = 0; v < positions.size(); ++v) frames[v] = frame_of(*this, v);
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) add_triangle(*this, normals, &indices[i], Added::all);
+    if (lean.empty()) {
+        for (std::size_t v = 0; v < positions.size(); ++v) frames[v] = frame_of(*this, normals[v], v);
+        return;
+    }
+    for (std::size_t v = 0; v < positions.size(); ++v) smooth_normals[v] = glm::vec4(smooth_normal_of(*this, v), 0.0f);
+    for (Sum& sum : sums) sum.turning = 0.0;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+        add_triangle(*this, smooth_normals, &indices[i], Added::turning);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        frames[v] = frame_of(*this, glm::vec3(smooth_normals[v]), v);
+        const Sum& sum = sum_at(*this, v);
+        if (sum.weight > 0.0) smooth_normals[v].w = static_cast<float>(sum.turning / sum.weight);
+    }
 }
 
 } // namespace hachure::geometry

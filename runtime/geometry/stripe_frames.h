@@ -23,6 +23,11 @@ struct StripeFramesJob {
     /// As in StripeMesh, one per vertex, so that frames agree on both sides of a line where u jumps; or both empty.
     std::span<const std::uint32_t> stands_for{};
     std::span<const std::uint8_t> mirrored{};
+    /// As in StripeMesh, one per vertex, or empty: X and kappa are then those of a surface with the normals that these
+    /// make of `normals`.
+    std::span<const glm::vec3> lean{};
+    /// out, as many. xyz: those normals, unit. w: radians per metre that they turn towards X.
+    std::span<glm::vec4> smooth_normals{};
 
     /// out, one per vertex. xyz: X, the unit tangent along which u grows fastest; any unit tangent where u is constant.
     /// w: kappa, radians that the normal turns towards X per unit of u: positive where the surface bulges, +-pi at one

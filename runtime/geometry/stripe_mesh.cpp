@@ -2,12 +2,16 @@
 #include <hachure/runtime/geometry/direction_field.h>
 #include <hachure/runtime/geometry/sheet_curvature.h>
 #include <hachure/runtime/geometry/sheet_metric.h>
+#include <hachure/runtime/geometry/sheet_normals.h>
 #include <hachure/runtime/geometry/sparse_system.h>
+#include <hachure/runtime/geometry/stripe_frames.h>
 #include <hachure/runtime/geometry/stripe_mesh.h>
 #include <hachure/runtime/geometry/stripe_phase.h>
 #include <hachure/runtime/geometry/stripe_rate.h>
 #include <hachure/runtime/geometry/stripe_readings.h>
 #include <hachure/runtime/geometry/surface_sheets.h>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +38,7 @@ public:
         mesh_.coordinate.resize(vertices);
         mesh_.weight.resize(vertices);
         mesh_.mirrored.resize(vertices);
+        sheet_vertices_.assign(vertices, SurfaceSheets::none);
         find_weights();
     }
 
@@ -48,6 +53,9 @@ public:
         }
         return std::move(mesh_);
     }
+
+    /// Per vertex of the result: the vertex of the sheets that it is, or `none` at tips and where there is no sheet.
+    [[nodiscard]] const std::vector<std::uint32_t>& sheet_vertices() const { return sheet_vertices_; }
 
 private:
     /// Fades the pattern at the corners of singular triangles.
@@ -85,6 +93,7 @@ private:
             mesh_.coordinate.push_back(0.0f);
             mesh_.weight.push_back(0.0f);
             mesh_.mirrored.push_back(0);
+            sheet_vertices_.push_back(SurfaceSheets::none);
         }
         taken_[source] = 1;
         fill(found->second, corner, tip, reading.sign);
@@ -100,6 +109,7 @@ private:
         mesh_.coordinate[vertex] = sound ? static_cast<float>(u) : 0.0f;
         mesh_.weight[vertex] = sound ? weights_[own] : 0.0f;
         if (tip) return;
+        sheet_vertices_[vertex] = own;
         const auto [first, is_new] = standing_.try_emplace(own, Standing{vertex, sign});
         mesh_.stands_for[vertex] = first->second.vertex;
         mesh_.mirrored[vertex] = first->second.sign != sign ? 1 : 0;
@@ -118,11 +128,45 @@ private:
     const StripePhase& phase_;
     const StripeReadings& readings_;
     StripeMesh mesh_;
+    std::vector<std::uint32_t> sheet_vertices_;
     std::vector<std::uint8_t> taken_; ///< per vertex of the input: its place in the result is used
     std::vector<float> weights_;      ///< per vertex of the sheets
     std::map<Key, std::uint32_t> known_;
     std::map<std::uint32_t, Standing> standing_;
 };
+
+/// `StripeMesh::lean` for these normals: `drawn` per vertex of the input or none, the others per vertex of the sheets.
+std::vector<glm::vec3> lean_of(const StripeMesh& mesh, std::span<const glm::vec3> positions,
+                               std::span<const glm::vec3> drawn, const std::vector<std::uint32_t>& sheet_vertices,
+                               const std::vector<glm::dvec3>& bumpy, const std::vector<glm::dvec3>& smooth) {
+    const std::size_t count = mesh.source_vertex.size();
+    std::vector<glm::vec3> places(count), normals(count), lean(count, glm::vec3(0.0f, 0.0f, 1.0f));
+    for (std::size_t v = 0; v < count; ++v) {
+        const std::uint32_t source = mesh.source_vertex[v], own = sheet_vertices[v];
+        places[v] = positions[source];
+        normals[v] = !drawn.empty()               ? drawn[source]
+                     : own != SurfaceSheets::none ? glm::vec3(bumpy[own])
+                                                  : glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+    std::vector<glm::vec4> frames(count);
+    StripeFramesJob{.positions = places,
+                    .normals = normals,
+                    .indices = mesh.indices,
+                    .coordinate = mesh.coordinate,
+                    .stands_for = mesh.stands_for,
+                    .mirrored = mesh.mirrored,
+                    .frames = frames}
+        .run();
+    for (std::size_t v = 0; v < count; ++v) {
+        if (sheet_vertices[v] == SurfaceSheets::none) continue;
+        const glm::dvec3 n(normals[v]), x(glm::vec3(frames[v])), y = glm::cross(n, x);
+        const glm::dvec3& wanted = smooth[sheet_vertices[v]];
+        const glm::dvec3 own(glm::dot(wanted, x), glm::dot(wanted, y), glm::dot(wanted, n));
+        const double length = glm::length(own);
+        if (length > 1e-3 && std::isfinite(length)) lean[v] = glm::vec3(own / length);
+    }
+    return lean;
+}
 
 } // namespace
 
@@ -141,7 +185,18 @@ StripeMesh make_stripe_mesh(std::span<const glm::vec3> positions, std::span<cons
     fit_phase(sheets, metric, field, rates, confidence, order, phase);
     settle_phase(sheets, metric, field, rates, phase);
     const StripeReadings readings(sheets, metric, phase);
-    return Assembly(positions, indices, sheets, metric, phase, readings).run();
+    Assembly assembly(positions, indices, sheets, metric, phase, readings);
+    StripeMesh mesh = assembly.run();
+    const std::vector<glm::dvec3> bumpy = sheet_normals(sheets, metric, normals, indices);
+    const std::vector<glm::dvec3> smooth =
+        smooth_sheet_normals(sheets, metric, curvature, bumpy, order, settings.detail);
+    const std::vector<double> clarity = stripe_clarity(sheets, metric, field, rates, phase);
+    for (std::size_t v = 0; v < mesh.weight.size(); ++v) {
+        const std::uint32_t own = assembly.sheet_vertices()[v];
+        mesh.clarity.push_back(own == SurfaceSheets::none ? mesh.weight[v] : static_cast<float>(clarity[own]));
+    }
+    mesh.lean = lean_of(mesh, positions, normals, assembly.sheet_vertices(), bumpy, smooth);
+    return mesh;
 }
 
 } // namespace hachure::geometry

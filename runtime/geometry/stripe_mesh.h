@@ -12,7 +12,8 @@ namespace hachure::geometry {
 struct StripeSettings {
     /// Sets of stripes per half turn of the surface's normal across the streaks, where it is curved, and across the
     /// object's size (the diagonal of its bounds), where it is flat. Sheets whose direction field has n singularities
-    /// get sqrt(n) times as many, at most 5 times: a coordinate needs room to turn between them. Positive.
+    /// get sqrt(n) times as many, at most 5 times, and up to twice that where flat: a coordinate needs room to turn
+    /// between them. Positive.
     double sets = 1.0;
     /// The least detail whose curvature counts, over the size of each smooth part: curvature is smoothed to this
     /// length.
@@ -41,6 +42,12 @@ struct StripeMesh {
     std::vector<std::uint32_t> stands_for;
     /// Per vertex: 1 where its u falls when that of the vertex that stands for it rises.
     std::vector<std::uint8_t> mirrored;
+    /// Per vertex: the normal without the bumps of the surface, where the drawn normal n is (0, 0, 1), X of
+    /// StripeFramesJob (1, 0, 0) and n x X (0, 1, 0). Unit.
+    std::vector<glm::vec3> lean;
+    /// Per vertex in [0, 1]: how clear it is which stripe faces a light. 0 near singularities, where stripes turn
+    /// round, and where they are much wider than they were to be.
+    std::vector<float> clarity;
 
     [[nodiscard]] bool operator==(const StripeMesh&) const = default;
 };

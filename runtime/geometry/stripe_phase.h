@@ -39,6 +39,11 @@ void fit_phase(const SurfaceSheets& sheets, const SheetMetric& metric, const Dir
                std::span<const double> rates, std::span<const double> confidence, std::span<const std::uint32_t> order,
                StripePhase& phase);
 
+/// Per vertex, how clear the stripes are around it (`StripeMesh::clarity`).
+[[nodiscard]] std::vector<double> stripe_clarity(const SurfaceSheets& sheets, const SheetMetric& metric,
+                                                 const DirectionField& field, std::span<const double> rates,
+                                                 const StripePhase& phase);
+
 /// Where a sheet's values are free to be shifted all together, makes that of its first vertex what the coordinate would
 /// be on a plane through the object's middle.
 void settle_phase(const SurfaceSheets& sheets, const SheetMetric& metric, const DirectionField& field,

@@ -15,13 +15,14 @@ namespace {
 constexpr double evenness = 0.05; // of the rate, against the curl
 constexpr double loyalty = 0.5;   // to the rate by curvature, over the square of the sheet's size
 constexpr double most_crowded = 5.0;
-constexpr double most_graded = 2.0; // in the logarithm: a factor of 7.4
+constexpr double most_graded = 2.0;  // in the logarithm: a factor of 7.4
+constexpr double most_thinned = 0.4; // a factor of 1.5: streaks far apart look like spots
 
 /// The rate from curvature: close to the larger of two, and smooth.
-double wanted_rate(double curvature, double size, double sets) {
-    const double turning = curvature / std::numbers::pi, flat = 1.0 / size;
+double wanted_rate(double curvature, double size, double sets, double more) {
+    const double turning = curvature / std::numbers::pi, flat = std::min(more, 2.0) / size;
     const double most = std::max(turning, flat), least = std::min(turning, flat);
-    return sets * most * std::pow(1.0 + std::pow(least / most, 8), 0.125);
+    return sets * more * most * std::pow(1.0 + std::pow(least / most, 8), 0.125);
 }
 
 /// Per sheet: how many times as many sets. Lines turn back around a singularity, so that between two there must be room
@@ -67,7 +68,7 @@ std::vector<double> stripe_rates(const SurfaceSheets& sheets, const SheetMetric&
     std::vector<double> right(count), wanted(count);
     const std::vector<double> more = crowding(sheets, metric, field);
     for (std::uint32_t v = 0; v < count; ++v) {
-        wanted[v] = std::log(wanted_rate(curvature.largest(v), metric.size, sets * more[sheets.sheet[v]]));
+        wanted[v] = std::log(wanted_rate(curvature.largest(v), metric.size, sets, more[sheets.sheet[v]]));
         const double weight = loyalty * metric.mass[v] / std::pow(metric.sheet_size[sheets.sheet[v]], 2);
         system.add(v, v, weight);
         right[v] = weight * wanted[v];
@@ -84,7 +85,7 @@ std::vector<double> stripe_rates(const SurfaceSheets& sheets, const SheetMetric&
     std::vector<double> rates = wanted;
     if (system.factorise()) system.solve(right, rates);
     for (std::size_t v = 0; v < count; ++v)
-        rates[v] = std::exp(std::clamp(rates[v], wanted[v] - most_graded, wanted[v] + most_graded));
+        rates[v] = std::exp(std::clamp(rates[v], wanted[v] - most_thinned, wanted[v] + most_graded));
     return rates;
 }
 

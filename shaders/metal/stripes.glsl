@@ -11,6 +11,12 @@ in float coordinate;
 in vec3 world_across;
 in float turning;
 in float weight;
+#ifdef SMOOTH_NORMAL
+in vec3 world_smooth_normal;    // without the bumps of the surface: streaks that run over bumps stay together
+in float turning_per_metre;     // of that normal, in the object's own metres
+in float clarity;               // of where the light's stripe is
+uniform float object_size;
+#endif
 uniform float natural_unit;     // of the coordinate: what a surface can be expected to turn on, in sets
 #endif
 
@@ -22,6 +28,7 @@ struct Stripes {
     float turn;          // stripes in a whole turn of the surface
     vec2 light;          // the light's direction across the streaks, in the plane of angles
     float bend;          // how the surface lies or turns, as light_weight() below reads it
+    float clarity;       // of where the light's stripe is
 };
 
 // The light's stripe fades out where the light shines along the streaks, which then face it alike: `across` is the
@@ -67,7 +74,11 @@ Stripes stripes_here(vec3 n, vec3 l) {
     s.weight = weight;
 
     // Seen from behind, the surface turns the other way.
-    float radians = (dot(n, world_normal) < 0.0 ? -turning : turning) / stripes_per_unit; // per stripe
+    float side = dot(n, world_normal) < 0.0 ? -1.0 : 1.0;
+    float radians = side * turning / stripes_per_unit; // per stripe
+#ifdef SMOOTH_NORMAL
+    n = side * normalize_or_zero(world_smooth_normal);
+#endif
     vec3 across = world_across - dot(world_across, n) * n;
     vec2 light = vec2(dot(across, l) * inversesqrt(max(dot(across, across), 1e-30)), dot(n, l));
     float angle = atan(light.x, light.y);
@@ -75,7 +86,13 @@ Stripes stripes_here(vec3 n, vec3 l) {
     s.turn = max(2.0 * PI * abs(steep), 1.0);
     s.towards_light = angle * steep;
     s.light = light;
+#ifdef SMOOTH_NORMAL
+    s.bend = abs(turning_per_metre) * object_size;
+    s.clarity = clarity;
+#else
     s.bend = abs(turning) * natural_unit;
+    s.clarity = 1.0 - smoothstep(15.0, 40.0, s.bend);
+#endif
     return s;
 }
 
@@ -85,6 +102,6 @@ Stripes stripes_here(vec3 n, vec3 l) {
 float light_weight(Stripes s) {
     float cosine = s.light.y * inversesqrt(max(dot(s.light, s.light), 1e-30));
     return s.weight * faces_across(length(s.light)) * smoothstep(0.6, 1.6, s.bend) *
-           (1.0 - smoothstep(15.0, 40.0, s.bend)) * smoothstep(-1.0, -0.7071, cosine);
+           s.clarity * smoothstep(-1.0, -0.7071, cosine);
 }
 #endif

@@ -44,6 +44,7 @@ public:
 
     void add_defines(std::vector<gpu::ShaderDefine>& defines) const {
         if (by_angle) defines.push_back({"AROUND_AXIS", ""});
+        if (source == MetalSource::curvature) defines.push_back({"SMOOTH_NORMAL", ""});
         if (metal.highlight == MetalHighlight::halfway) defines.push_back({"HALFWAY", ""});
         if (metal.cool_to_warm > 0.0f) defines.push_back({"COOL_TO_WARM", ""});
     }
@@ -72,6 +73,7 @@ private:
             program.set("stripes_per_unit", sets_around(metal) * count);
         } else {
             program.set("stripes_per_unit", count);
+            if (source == MetalSource::curvature) program.set("object_size", 2.0f * mesh.bounds.radius());
             program.set("natural_unit", source == MetalSource::around_axis ? sets_around(metal) : metal.sets);
         }
     }

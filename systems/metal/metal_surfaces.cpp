@@ -64,6 +64,8 @@ void MetalSurfaces::upload(const SurfaceMesh& mesh, StripeLayout& layout) {
     const geometry::StripeMesh& stripes = layout.stripes;
     layout.coordinate = gpu::Buffer(std::span<const float>(stripes.coordinate), mesh.name + " stripes");
     layout.weight = gpu::Buffer(std::span<const float>(stripes.weight), mesh.name + " stripe weights");
+    if (!stripes.clarity.empty())
+        layout.clarity = gpu::Buffer(std::span<const float>(stripes.clarity), mesh.name + " stripe clarity");
     layout.texcoords = upload_gathered(mesh.texcoords, stripes, mesh.name + " striped texcoords");
     layout.colors = upload_gathered(mesh.colors, stripes, mesh.name + " striped colors");
     layout.normal_texcoords = upload_gathered(mesh.normal_texcoords, stripes, mesh.name + " striped normal texcoords");
@@ -83,6 +85,8 @@ void MetalSurfaces::make(const SurfaceMesh& mesh, const StripeLayout& layout, St
     shape.normals = gpu::Buffer(count * sizeof(glm::vec3), usage, name + " normals");
     if (!mesh.tangents.empty()) shape.tangents = gpu::Buffer(count * sizeof(glm::vec4), usage, name + " tangents");
     shape.frames = gpu::Buffer(count * sizeof(glm::vec4), usage, name + " frames");
+    if (!layout.stripes.lean.empty())
+        shape.smooth_normals = gpu::Buffer(count * sizeof(glm::vec4), usage, name + " smooth normals");
     shape.vertex_array = gpu::VertexArray(name);
     bind_floats(shape.vertex_array, 0, shape.positions, 3);
     bind_floats(shape.vertex_array, 1, shape.normals, 3);
@@ -93,6 +97,8 @@ void MetalSurfaces::make(const SurfaceMesh& mesh, const StripeLayout& layout, St
     bind_floats(shape.vertex_array, 6, layout.coordinate, 1);
     bind_floats(shape.vertex_array, 7, shape.frames, 4);
     bind_floats(shape.vertex_array, 8, layout.weight, 1);
+    bind_floats(shape.vertex_array, 9, shape.smooth_normals, 4);
+    bind_floats(shape.vertex_array, 10, layout.clarity, 1);
     shape.vertex_array.set_index_buffer(layout.indices);
 }
 
@@ -108,6 +114,7 @@ void MetalSurfaces::fill(const SurfaceMesh& mesh, const DrawItem& item, const St
     shape.normals.update(std::span<const glm::vec3>(normals_));
     if (!tangents_.empty()) shape.tangents.update(std::span<const glm::vec4>(tangents_));
     shape.frames.update(std::span<const glm::vec4>(frames_));
+    if (!smooth_normals_.empty()) shape.smooth_normals.update(std::span<const glm::vec4>(smooth_normals_));
 }
 
 void MetalSurfaces::compute_frames(const StripeLayout& layout, const glm::mat3& stretch) {
@@ -123,18 +130,22 @@ void MetalSurfaces::compute_frames(const StripeLayout& layout, const glm::mat3& 
         }
     }
     frames_.resize(positions_.size());
+    smooth_normals_.resize(layout.stripes.lean.size());
     job_.positions = stretched ? stretched_positions_ : positions_;
     job_.normals = stretched ? stretched_normals_ : normals_;
     job_.indices = layout.stripes.indices;
     job_.coordinate = layout.stripes.coordinate;
     job_.stands_for = layout.stripes.stands_for;
     job_.mirrored = layout.stripes.mirrored;
+    job_.lean = layout.stripes.lean;
+    job_.smooth_normals = smooth_normals_;
     job_.frames = frames_;
     job_.run();
     if (!stretched) return;
     // So that the matrix of normals takes them to the world: it is scale * rotation * (S^T)^-1.
     const glm::mat3 back = glm::transpose(stretch);
     for (glm::vec4& frame : frames_) frame = glm::vec4(back * glm::vec3(frame), frame.w);
+    for (glm::vec4& normal : smooth_normals_) normal = glm::vec4(back * glm::vec3(normal), normal.w);
 }
 
 void MetalSurfaces::forget_but(std::span<const DrawItem> items, const std::unordered_set<std::uint64_t>& layouts) {

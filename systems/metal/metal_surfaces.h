@@ -25,14 +25,15 @@ struct StripeLayout {
     geometry::StripeMesh stripes;
 
     // On the GPU, made when first drawn; all by vertex of `stripes`.
-    gpu::Buffer coordinate, weight, indices;
+    gpu::Buffer coordinate, weight, clarity, indices;
     gpu::Buffer texcoords, colors, normal_texcoords; ///< where the mesh has them
 };
 
 /// A mesh in some shape with its stripes, as metal.vert reads it: locations 0 to 5 as those of GpuMesh, 6 the
-/// coordinate, 7 the frame (StripeFramesJob), 8 the weight.
+/// coordinate, 7 the frame (StripeFramesJob), 8 the weight; where the layout has lean, 9 the normal without bumps and
+/// how it turns, and 10 the clarity.
 struct StripedShape {
-    gpu::Buffer positions, normals, tangents, frames;
+    gpu::Buffer positions, normals, tangents, frames, smooth_normals;
     gpu::VertexArray vertex_array;
     std::uint64_t layout = 0;
     std::uint64_t version = 0; ///< of the DrawShape
@@ -73,7 +74,7 @@ private:
     // Scratch, kept from frame to frame.
     geometry::StripeFramesJob job_;
     std::vector<glm::vec3> positions_, normals_, stretched_positions_, stretched_normals_;
-    std::vector<glm::vec4> tangents_, frames_;
+    std::vector<glm::vec4> tangents_, frames_, smooth_normals_;
 };
 
 } // namespace hachure

@@ -145,6 +145,9 @@ TEST_F(StripeCache, BelievesNoFileThatIsWrong) {
     EXPECT_TRUE(refused([](Mesh& m) { m.coordinate[3] = std::numeric_limits<float>::infinity(); }));
     EXPECT_TRUE(refused([](Mesh& m) { m.weight[3] = 1.5f; }));
     EXPECT_TRUE(refused([](Mesh& m) { m.weight[3] = std::nanf(""); }));
+    EXPECT_TRUE(refused([](Mesh& m) { m.lean[3] *= 1.1f; }));
+    EXPECT_TRUE(refused([](Mesh& m) { m.lean[3].x = std::nanf(""); }));
+    EXPECT_TRUE(refused([](Mesh& m) { m.clarity[3] = -0.5f; }));
     EXPECT_TRUE(refused([](Mesh& m) { m.mirrored[0] = 2; }));
     EXPECT_TRUE(refused([](Mesh& m) { m.stands_for[0] = 1000000; }));
     EXPECT_TRUE(refused([](Mesh& m) { m.source_vertex[0] = 1; }));

@@ -1,6 +1,7 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/geometry/direction_field.h>
 #include <hachure/runtime/geometry/sparse_system.h>
+#include <hachure/runtime/geometry/stripe_rate.h>
 #include <hachure/tests/runtime/geometry/line_reference.h>
 #include <hachure/tests/runtime/geometry/striped.h>
 
@@ -84,6 +85,29 @@ bool read_bunny(Bunny& bunny) {
     return true;
 }
 
+/// The part of the area on which u grows by less than a quarter of its rate there.
+double collapsed(const Striped& striped, const Bunny& bunny, const StripeSettings& settings) {
+    const Field f(bunny.positions, bunny.indices, settings.detail);
+    const std::vector<double> rates = stripe_rates(f.sheets, f.metric, f.curvature, f.field, f.order, settings.sets);
+    double low = 0.0, all = 0.0;
+    for (std::size_t t = 0; t < f.sheets.triangles.size(); ++t) {
+        const std::uint32_t* corner = &striped.mesh.indices[3 * std::size_t{f.sheets.face[t]}];
+        const glm::dvec3 p[3] = {striped.positions[corner[0]], striped.positions[corner[1]],
+                                 striped.positions[corner[2]]};
+        const glm::dvec3 a = p[1] - p[0], b = p[2] - p[0], cross = glm::cross(a, b);
+        const double twice_area = glm::length(cross);
+        if (!(twice_area > 0.0)) continue;
+        const double u[3] = {striped.mesh.coordinate[corner[0]], striped.mesh.coordinate[corner[1]],
+                             striped.mesh.coordinate[corner[2]]};
+        const double growth = glm::length((u[1] - u[0]) * b - (u[2] - u[0]) * a) / twice_area;
+        double rate = 0.0;
+        for (const std::uint32_t v : f.sheets.triangles[t]) rate += rates[v] / 3.0;
+        all += twice_area;
+        if (growth < 0.25 * rate) low += twice_area;
+    }
+    return low / all;
+}
+
 // Away from umbilics: where the reference's confidence in a direction is at least one half. Against the field of
 // docs/stripes.md as the test computes it in other ways (line_reference.h).
 TEST(DirectionField, StripesOfTheBunnyFollowTheReferenceField) {
@@ -107,6 +131,9 @@ TEST(DirectionField, StripesOfTheBunnyFollowTheReferenceField) {
     RecordProperty("p90_degrees", std::to_string(quantile(sure, 0.9)));
     RecordProperty("all_median_degrees", std::to_string(quantile(all, 0.5)));
     EXPECT_GT(sure.size(), all.size() / 2);
+    const double flat = collapsed(striped, bunny, settings);
+    RecordProperty("percent_under_a_quarter", std::to_string(100.0 * flat));
+    EXPECT_LT(flat, 0.01);
     EXPECT_LT(quantile(sure, 0.5), 3.0);
     EXPECT_LT(faded, all.size() / 100);
 }

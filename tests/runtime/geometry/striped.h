@@ -62,11 +62,15 @@ struct Striped {
         ASSERT_EQ(mesh.weight.size(), count);
         ASSERT_EQ(mesh.stands_for.size(), count);
         ASSERT_EQ(mesh.mirrored.size(), count);
+        ASSERT_EQ(mesh.lean.size(), count);
+        ASSERT_EQ(mesh.clarity.size(), count);
         for (std::size_t v = 0; v < count; ++v) {
             ASSERT_TRUE(std::isfinite(mesh.coordinate[v]) && std::abs(mesh.coordinate[v]) <= 1e5f) << v;
             ASSERT_TRUE(mesh.weight[v] >= 0.0f && mesh.weight[v] <= 1.0f) << v;
             ASSERT_LT(mesh.stands_for[v], count);
             ASSERT_LE(mesh.mirrored[v], 1);
+            ASSERT_NEAR(glm::length(mesh.lean[v]), 1.0f, 1e-5f) << v;
+            ASSERT_TRUE(mesh.clarity[v] >= 0.0f && mesh.clarity[v] <= 1.0f) << v;
             if (v < vertices) {
                 ASSERT_EQ(mesh.source_vertex[v], v);
             } else {
