@@ -13,9 +13,9 @@ const gpu::Framebuffer& bind_targets(RenderContext& render, gpu::PassContext& pa
     const auto id = [&](gpu::TextureHandle handle) { return handle ? pass.texture(handle) : 0u; };
     const std::uint32_t depth = pass.texture(targets.depth_buffer);
     const gpu::Framebuffer& framebuffer =
-        targets.normal || targets.object_id
-            ? render.backend->framebuffer({pass.texture(targets.color), id(targets.normal), id(targets.object_id)},
-                                          depth)
+        targets.normal || targets.object_id || targets.code
+            ? render.backend->framebuffer(
+                  {pass.texture(targets.color), id(targets.normal), id(targets.object_id), id(targets.code)}, depth)
             : render.backend->framebuffer({pass.texture(targets.color)}, depth);
     framebuffer.bind();
     return framebuffer;
@@ -65,7 +65,7 @@ void set_item(gpu::Program& program, const DrawItem& item) {
 /// What holds for all items of a pass.
 struct ItemPass {
     gpu::Rect viewport;
-    bool normal = false, object_id = false; ///< what the shaders write besides their colour
+    bool normal = false, object_id = false, code = false; ///< what the shaders write besides their colour
 };
 
 gpu::DrawState draw_state(const ItemPass& pass, const DrawItem& item, const SurfaceMaterial& material) {
@@ -89,6 +89,7 @@ void draw_item(const World& world, RenderContext& render, const DrawItem& item, 
         gpu::ProgramSource source{.vertex = std::string(shading.vertex), .fragment = std::string(shading.fragment)};
         if (pass.normal) source.defines.push_back({"OUT_NORMAL", ""});
         if (pass.object_id) source.defines.push_back({"OUT_OBJECT_ID", ""});
+        if (pass.code) source.defines.push_back({"OUT_CODE", ""});
         if (item.mirrored) source.defines.push_back({"MIRRORED", ""});
         material_defines(mesh, submesh.material, source.defines);
         if (shading.defines) shading.defines(item.entity, source.defines);
@@ -119,7 +120,8 @@ SurfaceTargets SurfaceTargets::write(gpu::FrameGraph& graph, gpu::PassBuilder& p
         }
         return handle;
     };
-    return {write_named("color"), write_named("depth_buffer"), write_named("normal"), write_named("object_id")};
+    return {write_named("color"), write_named("depth_buffer"), write_named("normal"), write_named("object_id"),
+            write_named("surface_code")};
 }
 
 void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& pass, const SurfaceTargets& targets,
@@ -127,7 +129,8 @@ void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& 
     bind_targets(render, pass, targets);
     render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
     const View& view = world.resource<View>();
-    const ItemPass items{{0, 0, view.width, view.height}, bool(targets.normal), bool(targets.object_id)};
+    const ItemPass items{
+        {0, 0, view.width, view.height}, bool(targets.normal), bool(targets.object_id), bool(targets.code)};
     const DrawList& list = world.resource<DrawList>();
     const DrawClaims& claims = world.resource<DrawClaims>();
     for (std::size_t i = 0; i < list.items.size(); ++i)

@@ -16,10 +16,11 @@ namespace hachure {
 
 struct RenderContext;
 
-/// The textures that surfaces are drawn into. `color` and `depth_buffer` always exist; `normal` and `object_id` only
-/// when something in the frame wants them.
+/// The textures that surfaces are drawn into. `color` and `depth_buffer` always exist; `normal`, `object_id`
+/// and `code` only when something in the frame wants them. `code` is for passes that look at every pixel's neighbours:
+/// object id and normal in one texel of 8 bytes (shaders/surface/surface_code.glsl), published as `surface_code`.
 struct SurfaceTargets {
-    gpu::TextureHandle color, depth_buffer, normal, object_id;
+    gpu::TextureHandle color, depth_buffer, normal, object_id, code;
 
     /// Finds the published targets and declares that `pass` writes onto them; publishes the new versions.
     [[nodiscard]] static SurfaceTargets write(gpu::FrameGraph& graph, gpu::PassBuilder& pass);

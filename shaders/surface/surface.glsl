@@ -28,6 +28,10 @@ layout(location = 1) out vec4 out_normal;
 #ifdef OUT_OBJECT_ID
 layout(location = 2) out uint out_object_id;
 #endif
+#ifdef OUT_CODE
+#include "surface/surface_code.glsl"
+layout(location = 3) out uvec2 out_code;
+#endif
 
 // k_d of the paper: the material's colour here. Fragments below the cut-off are dropped.
 vec3 surface_color() {
@@ -83,5 +87,8 @@ void write_surface(vec3 color, vec3 normal) {
 #endif
 #ifdef OUT_OBJECT_ID
     out_object_id = object_id;
+#endif
+#ifdef OUT_CODE
+    out_code = uvec2(object_id, encode_normal(normal));
 #endif
 }

@@ -1,4 +1,5 @@
 #include <hachure/runtime/assert.h>
+#include <hachure/runtime/parallel.h>
 #include <hachure/systems/edge_lines/clip_lines.h>
 
 #include <glm/common.hpp>
@@ -75,31 +76,53 @@ void ClipLinesJob::validate() const {
     HACHURE_ASSERT(ends.size() == segments.size(), "every segment has its ends in full precision");
 }
 
-/// The intervals of one segment that triangles hide, joined and sorted.
-void ClipLinesJob::find_hidden(std::uint32_t index) {
+/// Appends the intervals of one segment that triangles hide, joined and sorted.
+void ClipLinesJob::find_hidden(std::uint32_t index, std::vector<Interval>& intervals) const {
     const glm::dvec2 &p = ends[index].start, &q = ends[index].end;
-    intervals.clear();
+    const std::size_t first = intervals.size();
+    // A triangle in several cells along the segment is met more than once: its interval joins itself.
     occluders->each_along(p, q, [&](std::uint32_t triangle) {
-        if (std::exchange(looked_at[triangle], index + 1) == index + 1) return;
         const Interval interval = hidden_by(occluders->triangles()[triangle], ends[index]);
         if (interval.begin < interval.end) intervals.push_back(interval);
     });
-    std::ranges::sort(intervals, {}, &Interval::begin);
+    const auto own = std::span(intervals).subspan(first);
+    std::ranges::sort(own, {}, &Interval::begin);
     const double gap = shortest_gap / std::max(glm::distance(p, q), shortest_gap);
     std::size_t count = 0;
-    for (const Interval& interval : intervals) {
-        if (count > 0 && interval.begin <= intervals[count - 1].end + gap)
-            intervals[count - 1].end = std::max(intervals[count - 1].end, interval.end);
+    for (const Interval& interval : own) {
+        if (count > 0 && interval.begin <= own[count - 1].end + gap)
+            own[count - 1].end = std::max(own[count - 1].end, interval.end);
         else
-            intervals[count++] = interval;
+            own[count++] = interval;
     }
-    intervals.resize(count);
+    intervals.resize(first + count);
     if (count == 0) return;
-    if (intervals.front().begin < gap) intervals.front().begin = 0.0;
+    if (intervals[first].begin < gap) intervals[first].begin = 0.0;
     if (intervals.back().end > 1.0 - gap) intervals.back().end = 1.0;
 }
 
-void ClipLinesJob::cut_segment(const LineSegment& segment) {
+void ClipLinesJob::find_hidden(std::size_t chunk) {
+    Chunk& found = chunks[chunk];
+    found.intervals.clear();
+    found.counts.clear();
+    const std::size_t end = std::min(segments.size(), (chunk + 1) * chunk_size);
+    for (std::size_t i = chunk * chunk_size; i < end; ++i) {
+        const std::size_t before = found.intervals.size();
+        find_hidden(static_cast<std::uint32_t>(i), found.intervals);
+        found.counts.push_back(static_cast<std::uint32_t>(found.intervals.size() - before));
+    }
+}
+
+std::span<const ClipLinesJob::Interval> ClipLinesJob::next(Cursor& cursor) const {
+    if (cursor.segment == chunk_size) cursor = {cursor.chunk + 1, 0, 0};
+    const Chunk& chunk = chunks[cursor.chunk];
+    const std::uint32_t count = chunk.counts[cursor.segment++];
+    const auto intervals = std::span(chunk.intervals).subspan(cursor.interval, count);
+    cursor.interval += count;
+    return intervals;
+}
+
+void ClipLinesJob::cut_segment(const LineSegment& segment, std::span<const Interval> intervals) {
     double seen_from = 0.0;
     for (const Interval& interval : intervals) {
         if (interval.begin > seen_from) pieces->push_back(piece_of(segment, seen_from, interval.begin));
@@ -124,16 +147,14 @@ void ClipLinesJob::end_runs(std::size_t first, std::vector<LineSegment>& all, bo
     }
 }
 
-void ClipLinesJob::append_kind(std::size_t kind, std::size_t& line) {
+void ClipLinesJob::append_kind(std::size_t kind, std::size_t& line, Cursor& cursor) {
     const std::uint32_t kind_end = kinds[kind].first + kinds[kind].count;
     seen[kind].first = static_cast<std::uint32_t>(pieces->size());
     hidden[kind].first = static_cast<std::uint32_t>(hidden_pieces.size());
     for (; line < lines.size() && lines[line].first < kind_end; ++line) {
         const std::size_t first_seen = pieces->size(), first_hidden = hidden_pieces.size();
-        for (std::uint32_t i = lines[line].first; i < lines[line].first + lines[line].count; ++i) {
-            find_hidden(i);
-            cut_segment(segments[i]);
-        }
+        for (std::uint32_t i = lines[line].first; i < lines[line].first + lines[line].count; ++i)
+            cut_segment(segments[i], next(cursor));
         const bool closed = segments[lines[line].first].ends.y == nowhere;
         end_runs(first_seen, *pieces, closed);
         end_runs(first_hidden, hidden_pieces, closed);
@@ -146,10 +167,13 @@ void ClipLinesJob::run() {
     pieces->clear();
     hidden_pieces.clear();
     seen = hidden = {};
-    looked_at.assign(occluders->triangles().size(), 0);
+    const std::size_t count = (segments.size() + chunk_size - 1) / chunk_size;
+    if (chunks.size() < count) chunks.resize(count);
+    parallel_for(count, [this](std::size_t chunk) { find_hidden(chunk); });
     std::size_t line = 0;
+    Cursor cursor;
     for (std::size_t kind = 0; kind < drawn_kinds; ++kind)
-        if (kinds[kind].count > 0) append_kind(kind, line);
+        if (kinds[kind].count > 0) append_kind(kind, line, cursor);
     const auto all_seen = static_cast<std::uint32_t>(pieces->size());
     pieces->insert(pieces->end(), hidden_pieces.begin(), hidden_pieces.end());
     for (SegmentRange& range : hidden) range.first += all_seen;

@@ -28,21 +28,37 @@ struct ClipLinesJob {
     std::array<SegmentRange, drawn_kinds> hidden{}; ///< out: likewise
 
     void validate() const;
+    /// On several threads; the result does not depend on them.
     void run();
 
-    /// Scratch, kept from run to run.
+    /// A part of a segment, which goes from 0 to 1.
     struct Interval {
         double begin, end;
     };
-    std::vector<Interval> intervals{};
-    std::vector<std::uint32_t> looked_at{}; ///< per triangle: 1 + the last segment that met it
+    /// Consecutive segments that one thread looks at, and what of them is hidden: joined and sorted, one after the
+    /// other.
+    struct Chunk {
+        std::vector<Interval> intervals;
+        std::vector<std::uint32_t> counts; ///< per segment
+    };
+    /// Scratch, kept from run to run.
+    std::vector<Chunk> chunks{};
     std::vector<LineSegment> hidden_pieces{};
 
 private:
-    void find_hidden(std::uint32_t segment);
-    void cut_segment(const LineSegment& segment);
+    static constexpr std::size_t chunk_size = 128; ///< segments
+
+    /// Reads what was found of segments, in their order.
+    struct Cursor {
+        std::size_t chunk = 0, segment = 0, interval = 0;
+    };
+
+    void find_hidden(std::size_t chunk);
+    void find_hidden(std::uint32_t segment, std::vector<Interval>& intervals) const;
+    std::span<const Interval> next(Cursor& cursor) const;
+    void cut_segment(const LineSegment& segment, std::span<const Interval> intervals);
     void end_runs(std::size_t first, std::vector<LineSegment>& all, bool closed) const;
-    void append_kind(std::size_t kind, std::size_t& line);
+    void append_kind(std::size_t kind, std::size_t& line, Cursor& cursor);
 };
 
 } // namespace hachure

@@ -63,7 +63,7 @@ void update_batches(Query<const EdgeLines> styled, const DrawList& list, const M
         else
             items.push_back({&item, &lines, lines.visibility == LineVisibility::exact && all_on_cpu});
     }
-    if (frame.image.any()) requests.textures.insert({"normal", "object_id"});
+    if (frame.image.any()) requests.textures.insert("surface_code");
     frame.batches.update(items, store, list, view);
     frame.drawn.clear();
     frame.rect = frame.image.rect();

@@ -108,6 +108,7 @@ void declare_targets(World& world, RenderContext& render) {
             targets.depth_buffer = create("depth_buffer", gpu::Format::depth32f);
             if (requests.wants("normal")) targets.normal = create("normal", gpu::Format::rgba32f);
             if (requests.wants("object_id")) targets.object_id = create("object_id", gpu::Format::r32ui);
+            if (requests.wants("surface_code")) targets.code = create("surface_code", gpu::Format::rg32ui);
             pass.depends_on(clear_color);
         },
         [&render, clear_color](const SurfaceTargets& targets, gpu::PassContext& pass) {
@@ -117,12 +118,13 @@ void declare_targets(World& world, RenderContext& render) {
                         .depth_write = true,
                         .srgb_write = true});
             const auto id = [&](gpu::TextureHandle handle) { return handle ? pass.texture(handle) : 0u; };
-            const gpu::Framebuffer& framebuffer =
-                render.backend->framebuffer({pass.texture(targets.color), id(targets.normal), id(targets.object_id)},
-                                            pass.texture(targets.depth_buffer));
+            const gpu::Framebuffer& framebuffer = render.backend->framebuffer(
+                {pass.texture(targets.color), id(targets.normal), id(targets.object_id), id(targets.code)},
+                pass.texture(targets.depth_buffer));
             framebuffer.clear_color(0, std::array{clear_color.r, clear_color.g, clear_color.b, 1.0f});
             if (targets.normal) framebuffer.clear_color(1, std::array{0.0f, 0.0f, 0.0f, 0.0f});
             if (targets.object_id) framebuffer.clear_color(2, std::array{0u, 0u, 0u, 0u});
+            if (targets.code) framebuffer.clear_color(3, std::array{0u, 0u, 0u, 0u});
             framebuffer.clear_depth(0.0f);
         });
 }

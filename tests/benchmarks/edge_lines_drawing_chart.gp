@@ -27,12 +27,14 @@ set logscale y
 set yrange [5e-6:1]
 set ytics ("none" 1e-5, "0.01 %%" 1e-4, "0.1 %%" 1e-3, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
 set xrange [0:*]
+set offsets 0, graph 0.2, 0, 0 # for names at the right
 set xlabel "time added to a frame, over the frame without lines" textcolor "#606060"
 unset key
 plot for [i = 1:3] rows("cost", word("depth exact image", i)) using 3:4 with points linetype i, \
      for [i = 1:3] rows("cost", word("depth exact image", i)) using 3:4:(sprintf("  %s", strcol(2))) with labels left offset 0.4, 0.4 textcolor "#303030" notitle
 
 unset label
+unset offsets
 set title "{/:Bold lost length while the eye moves by 1/16 pixel a frame}" offset 0, -0.5 textcolor "#202020"
 set yrange [0.03:*]
 set ytics ("none" 0.05, "0.1" 0.1, "1" 1, "10" 10, "100" 100, "1000" 1000)

@@ -306,6 +306,24 @@ TEST_P(LineLooksTest, LinesFromThePictureFollowStepsOfDepthObjectsAndCreases) {
     EXPECT_EQ(stage.draw().total(), 0.0);
 }
 
+/// Pictures that are no whole number of tiles: a crease goes from rim to rim in all of them.
+TEST_P(LineLooksTest, LinesFromThePictureReachItsRims) {
+    const Camera camera{.projection = Projection::orthographic, .ymag = 1.0f, .zfar = 100.0f};
+    const glm::quat turned = glm::angleAxis(0.785398f, glm::vec3(0, 1, 0));
+    for (const bool lying : {false, true})
+        for (int size = 60; size < 68; ++size) {
+            Stage stage(context(), {size, size}, camera, {.translation = {0, 0, 5}});
+            stage.add(geometry::cube(4.0), {.width = 3.0f, .method = LineMethod::image},
+                      {.rotation = lying ? glm::angleAxis(1.5707963f, glm::vec3(0, 0, 1)) * turned : turned}, false);
+            const Layer layer = stage.draw();
+            for (int along = 0; along < size; ++along) {
+                double across = 0.0;
+                for (int i = 0; i < size; ++i) across += double(lying ? layer.at(along, i).a : layer.at(i, along).a);
+                ASSERT_NEAR(across, 3.0, 0.5) << "at " << along << " of " << size << ", lying " << lying;
+            }
+        }
+}
+
 HACHURE_INSTANTIATE_GL_TESTS(LineLooksTest);
 
 } // namespace
