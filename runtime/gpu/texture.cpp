@@ -82,6 +82,9 @@ template <typename T> void read_level(const Texture& texture, std::span<T> pixel
     HACHURE_ASSERT(pixels.size_bytes() <= static_cast<std::size_t>(std::numeric_limits<GLsizei>::max()),
                    "a level of 2 GiB is read in one piece");
     gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
+    // It waits for the texture anyway - or should: of one that was only cleared since it was drawn into, llvmpipe 22.3
+    // gives what was drawn, every other time on a busy machine.
+    gl().Finish();
     gl().GetTextureImage(texture.name(), level, gl_format(texture.desc().format).pixel_format, component_type<T>,
                          static_cast<GLsizei>(pixels.size_bytes()), pixels.data());
     if (order == RowOrder::top_first) flip_rows(pixels, row_values(texture, level));

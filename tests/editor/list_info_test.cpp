@@ -68,12 +68,14 @@ TEST(List, MarkdownIsForComponents) {
 
 TEST(List, Aovs) {
     const std::vector<std::string> lines = list("aovs");
-    EXPECT_EQ(lines.size(), 5u);
+    EXPECT_EQ(lines.size(), 7u);
     EXPECT_NE(line_of(lines, "velocity").find("velocity.X velocity.Y"), std::string::npos);
     EXPECT_NE(line_of(lines, "depth").find(" Z "), std::string::npos);
     EXPECT_NE(line_of(lines, "color").find("R G B"), std::string::npos);
     line_of(lines, "normal");
     line_of(lines, "object_id");
+    line_of(lines, "line_layer");
+    line_of(lines, "hidden_lines");
 }
 
 TEST(List, SystemsInTheOrderOfTheirStages) {
@@ -97,7 +99,7 @@ TEST(List, SystemsWithWhatTheyReadAndWrite) {
         return std::string();
     };
     EXPECT_TRUE(line("camera").ends_with(" reads Camera, Canvas, WorldTransform; writes View")) << line("camera");
-    EXPECT_NE(line("edge_lines.select").find("; writes EdgeLineFrame, LineLayer"), std::string::npos)
+    EXPECT_NE(line("edge_lines.select").find("; writes EdgeLineFrame, FrameRequests, LineLayer"), std::string::npos)
         << line("edge_lines.select");
     EXPECT_TRUE(line("transform").ends_with("; writes WorldTransform; queues commands")) << line("transform");
     EXPECT_TRUE(line("gooch.pass").ends_with(" anything; runs alone")) << line("gooch.pass");
