@@ -7,10 +7,10 @@
 #include <array>
 #include <complex>
 
-/// The direction field of docs/stripes.md, computed otherwise than the code under test does it: curvature from the normal
-/// curvatures of edges (least squares in every vertex's tangent plane), vectors carried by the least turn between
-/// tangent planes in space, linear equations by conjugate gradients; all in double precision, without any sheet or
-/// half-edge.
+/// The direction field of docs/stripes.md, computed otherwise than the code under test does it: curvature from the
+/// normal curvatures of edges (least squares in every vertex's tangent plane), vectors carried by the least turn
+/// between tangent planes in space, linear equations by conjugate gradients; all in double precision, without any sheet
+/// or half-edge.
 namespace hachure::geometry::reference {
 
 class LineField {
