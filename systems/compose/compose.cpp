@@ -113,7 +113,8 @@ void register_compose(App& app) {
         .after("gooch.pass")
         .after("metal.pass")
         .after("toon.pass")
-        .after("edge_lines.pass");
+        .after("edge_lines.pass")
+        .after("abstracted_lines.pass");
 }
 
 } // namespace hachure
