@@ -44,11 +44,11 @@ struct AbstractedLines {
     float min_width = 2.0f;
     float full_width_distance = 0.0f;
     PaintChannel paint_channel = PaintChannel::alpha;
-    float beta = 0.2f;
-    float dark_low = 0.01f;
-    float dark_high = 0.03f;
-    float highlight_low = 0.03f;
-    float highlight_high = 0.06f;
+    float beta = 0.1f;
+    float dark_low = 0.006f;
+    float dark_high = 0.02f;
+    float highlight_low = 0.02f;
+    float highlight_high = 0.05f;
     float fade = 0.5f;
     float counterchange = 0.5f;
     glm::vec3 color{0.0f};

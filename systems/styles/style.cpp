@@ -1,4 +1,5 @@
 #include <hachure/components/camera.h>
+#include <hachure/components/light.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/assets/json_text.h>
 #include <hachure/runtime/assets/text_file.h>
@@ -38,12 +39,14 @@ public:
         }
         if (document["hachure_style"] != 1) fault("/hachure_style", "has a version that is not known");
         for (const auto& [key, value] : document.items())
-            if (key != "hachure_style" && key != "name" && key != "doc" && key != "surface" && key != "camera")
+            if (key != "hachure_style" && key != "name" && key != "doc" && key != "surface" && key != "camera" &&
+                key != "light")
                 fault("/" + key, "a style has no '" + key + "'");
         style.name = document.value("name", json("")).is_string() ? document.value("name", "") : "";
         style.doc = document.value("doc", json("")).is_string() ? document.value("doc", "") : "";
         style.surface = components(document, "surface");
         style.camera = components(document, "camera");
+        style.light = components(document, "light");
         return style;
     }
 
@@ -122,6 +125,12 @@ void add_components(World& world, Entity entity, std::span<const StyleComponent>
     apply_model_extras(world, entity);
 }
 
+template <class C> std::vector<Entity> entities_with(const World& world) {
+    std::vector<Entity> result;
+    world.query<With<C>>().each([&result](Entity entity) { result.push_back(entity); });
+    return result;
+}
+
 std::string known_names() {
     std::string names;
     for (const BuiltInStyle& style : built_in_styles()) names += (names.empty() ? "" : ", ") + std::string(style.name);
@@ -154,12 +163,14 @@ Style find_style(const TypeRegistry& types, std::string_view name_or_path) {
 void apply_style(World& world, const TypeRegistry& types, const Style& style) {
     for (const Entity entity : types.find("surface")->entities(world)) add_components(world, entity, style.surface);
     for (const Entity entity : types.find("camera")->entities(world)) add_components(world, entity, style.camera);
+    for (const Entity entity : entities_with<DefaultLight>(world)) add_components(world, entity, style.light);
 }
 
 void apply_style(World& world, const Style& style, Entity root) {
     const auto apply = [&](Entity entity) {
         if (world.has<Surface>(entity)) add_components(world, entity, style.surface);
         if (world.has<Camera>(entity)) add_components(world, entity, style.camera);
+        if (world.has<DefaultLight>(entity)) add_components(world, entity, style.light);
     };
     apply(root);
     world.for_each_descendant(root, apply);
