@@ -38,7 +38,7 @@ struct AbstractedLines {
     bool highlight = true;
     bool specular = true;
     bool specular_dark = false;
-    float width = 4.0f;
+    float width = 5.0f;
     ToneLineUnit width_unit = ToneLineUnit::pixels;
     LineAbstraction width_by = LineAbstraction::constant;
     float min_width = 2.0f;
@@ -50,7 +50,7 @@ struct AbstractedLines {
     float highlight_low = 0.02f;
     float highlight_high = 0.05f;
     float fade = 0.5f;
-    float counterchange = 0.5f;
+    float counterchange = 0.25f;
     glm::vec3 color{0.0f};
     glm::vec3 highlight_color{1.0f};
     float wrap = 0.0f;
