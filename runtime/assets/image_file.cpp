@@ -38,11 +38,15 @@ OIIO::ImageSpec keep_colors() {
     return config;
 }
 
-Image decode(OIIO::ImageInput& input, const std::string& name) {
-    const OIIO::ImageSpec& spec = input.spec();
+void check_shape(const OIIO::ImageSpec& spec, const std::string& name) {
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw Error(name, "is not an image: it has no pixels");
     if (std::int64_t{spec.width} * spec.height > max_image_pixels || spec.depth > 1)
         throw Error(name, "is too large: " + std::to_string(spec.width) + "x" + std::to_string(spec.height));
+}
+
+Image decode(OIIO::ImageInput& input, const std::string& name) {
+    const OIIO::ImageSpec& spec = input.spec();
+    check_shape(spec, name);
     const bool is_float = spec.format.is_floating_point();
     const int channels = std::min(spec.nchannels, 4);
     Image image = make_image(spec.width, spec.height, channels, is_float ? PixelType::f32 : PixelType::u8);
@@ -50,6 +54,18 @@ Image decode(OIIO::ImageInput& input, const std::string& name) {
     if (!input.read_image(0, 0, 0, channels, type, image.pixels.data()))
         throw Error(name, "can't be decoded: " + fault_of(input.geterror(), name));
     return image;
+}
+
+void check_file(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) throw Error(path.string(), "is not a file that can be read");
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const std::string& name) {
+    const OIIO::ImageSpec config = keep_colors();
+    auto input = OIIO::ImageInput::open(name, &config);
+    if (!input) throw Error(name, fault_of(OIIO::geterror(), name));
+    return input;
 }
 
 bool starts_as_png(const std::filesystem::path& path) {
@@ -77,13 +93,17 @@ std::vector<std::byte> encode(const char* format, const OIIO::ImageSpec& spec, c
 
 Image read_image(const std::filesystem::path& path) {
     const std::string name = path.string();
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) throw Error(name, "is not a file that can be read");
+    check_file(path);
     if (starts_as_png(path)) return read_image_memory(name, read_file_bytes(path));
-    const OIIO::ImageSpec config = keep_colors();
-    const auto input = OIIO::ImageInput::open(name, &config);
-    if (!input) throw Error(name, fault_of(OIIO::geterror(), name));
-    return decode(*input, name);
+    return decode(*open(name), name);
+}
+
+ImageSize read_image_size(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    check_file(path);
+    const auto input = open(name);
+    check_shape(input->spec(), name);
+    return {input->spec().width, input->spec().height};
 }
 
 Image read_image_memory(std::string_view name, std::span<const std::byte> bytes) {

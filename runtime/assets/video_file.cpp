@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string>
 
 namespace hachure::assets {
@@ -16,7 +17,7 @@ struct VideoFile::State {
     std::string name;
     std::unique_ptr<OIIO::ImageInput> input;
     int width = 0, height = 0, frames = 0, channels = 0;
-    double fps = 0.0;
+    FrameRate rate{0, 1}; ///< 0: not known
 };
 
 VideoFile::VideoFile(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
@@ -37,8 +38,10 @@ VideoFile::VideoFile(const std::filesystem::path& path) : state_(std::make_uniqu
         throw Error(s.name, "has frames of a size that can't be read");
     s.frames = std::max(1, spec.get_int_attribute("oiio:Movie") ? spec.get_int_attribute("oiio:subimages", 1) : 1);
     int rate[2] = {0, 1};
-    if (spec.getattribute("FramesPerSecond", OIIO::TypeRational, rate) && rate[1] != 0)
-        s.fps = static_cast<double>(rate[0]) / rate[1];
+    if (spec.getattribute("FramesPerSecond", OIIO::TypeRational, rate) && rate[0] > 0 && rate[1] > 0) {
+        const int divisor = std::gcd(rate[0], rate[1]);
+        s.rate = {rate[0] / divisor, rate[1] / divisor};
+    }
 }
 
 VideoFile::~VideoFile() = default;
@@ -48,7 +51,12 @@ VideoFile& VideoFile::operator=(VideoFile&&) noexcept = default;
 int VideoFile::width() const { return state_->width; }
 int VideoFile::height() const { return state_->height; }
 int VideoFile::frame_count() const { return state_->frames; }
-double VideoFile::frames_per_second() const { return state_->fps; }
+double VideoFile::frames_per_second() const { return static_cast<double>(state_->rate.frames) / state_->rate.seconds; }
+
+std::optional<FrameRate> VideoFile::frame_rate() const {
+    const double rate = frames_per_second();
+    return rate >= 1.0 && rate <= max_frame_rate ? std::optional(state_->rate) : std::nullopt;
+}
 
 Image VideoFile::read_frame(int index) {
     HACHURE_ASSERT(index >= 0 && index < state_->frames, "a frame outside the video");

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <hachure/runtime/assets/frame_rate.h>
 #include <hachure/runtime/assets/image.h>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace hachure::assets {
 
@@ -20,6 +22,10 @@ public:
     [[nodiscard]] int height() const;               ///< pixels
     [[nodiscard]] int frame_count() const;          ///< >= 1
     [[nodiscard]] double frames_per_second() const; ///< 0 when the file does not say
+
+    /// The same as a fraction in lowest terms; none when the file does not say, or says one that is outside [1,
+    /// max_frame_rate].
+    [[nodiscard]] std::optional<FrameRate> frame_rate() const;
 
     /// Frame `index` in [0, frame_count()), u8 RGB. Reading in order is fast; jumping back seeks.
     [[nodiscard]] Image read_frame(int index);

@@ -1,4 +1,5 @@
 #include <hachure/components/camera.h>
+#include <hachure/components/picture.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/assets/json_text.h>
 #include <hachure/runtime/assets/text_file.h>
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -18,6 +20,9 @@ namespace hachure {
 namespace {
 
 using nlohmann::json;
+
+/// What means something on a picture, by name: styles work without these capabilities, too.
+constexpr std::array<std::string_view, 2> on_pictures{"abstracted_lines", "picture_coat"};
 
 constexpr std::size_t max_style_bytes = std::size_t{1} << 20;
 
@@ -38,16 +43,25 @@ public:
         }
         if (document["hachure_style"] != 1) fault("/hachure_style", "has a version that is not known");
         for (const auto& [key, value] : document.items())
-            if (key != "hachure_style" && key != "name" && key != "doc" && key != "surface" && key != "camera")
-                fault("/" + key, "a style has no '" + key + "'");
+            if (!is_known(key)) fault("/" + key, "a style has no '" + key + "'");
         style.name = document.value("name", json("")).is_string() ? document.value("name", "") : "";
         style.doc = document.value("doc", json("")).is_string() ? document.value("doc", "") : "";
         style.surface = components(document, "surface");
+        style.picture = components(document, "picture");
+        for (const StyleComponent& component : style.surface)
+            if (std::ranges::find(on_pictures, component.type->name) != on_pictures.end() &&
+                std::ranges::find(style.picture, component.type, &StyleComponent::type) == style.picture.end())
+                style.picture.push_back(component);
         style.camera = components(document, "camera");
         return style;
     }
 
 private:
+    static bool is_known(std::string_view key) {
+        constexpr std::array<std::string_view, 6> keys{"camera", "doc", "hachure_style", "name", "picture", "surface"};
+        return std::ranges::find(keys, key) != keys.end();
+    }
+
     void fault(const std::string& pointer, const std::string& text) {
         report_(Error(text_.subject(), text, text_.where(pointer)));
     }
@@ -153,12 +167,15 @@ Style find_style(const TypeRegistry& types, std::string_view name_or_path) {
 
 void apply_style(World& world, const TypeRegistry& types, const Style& style) {
     for (const Entity entity : types.find("surface")->entities(world)) add_components(world, entity, style.surface);
+    if (const TypeInfo* pictures = types.find("picture"))
+        for (const Entity entity : pictures->entities(world)) add_components(world, entity, style.picture);
     for (const Entity entity : types.find("camera")->entities(world)) add_components(world, entity, style.camera);
 }
 
 void apply_style(World& world, const Style& style, Entity root) {
     const auto apply = [&](Entity entity) {
         if (world.has<Surface>(entity)) add_components(world, entity, style.surface);
+        if (world.has<Picture>(entity)) add_components(world, entity, style.picture);
         if (world.has<Camera>(entity)) add_components(world, entity, style.camera);
     };
     apply(root);
