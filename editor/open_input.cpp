@@ -93,7 +93,7 @@ Canvas picture_size(const std::filesystem::path& input) {
         const assets::VideoFile video(input);
         return {video.width(), video.height()};
     }
-    const assets::ImageSize size = assets::read_image_size(input);
+    const assets::ImageSize size = assets::read_upright_size(input);
     return {size.width, size.height};
 }
 

@@ -68,6 +68,34 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string& name) {
     return input;
 }
 
+/// Exif's: 1 upright; 3 upside down; 2 and 4 mirrored; 5 to 8 on its side.
+int orientation_of(const OIIO::ImageSpec& spec) {
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    return orientation >= 1 && orientation <= 8 ? orientation : 1;
+}
+
+bool lies_on_its_side(int orientation) { return orientation >= 5; }
+
+Image turned(Image image, int orientation) {
+    if (orientation == 1) return image;
+    const bool side = lies_on_its_side(orientation);
+    // Of the stored image, in the order of Exif's numbers: whether the last column and the last row are seen first.
+    const bool right = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+    const bool below = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    Image result = side ? make_image(image.height, image.width, image.channels, image.type)
+                        : make_image(image.width, image.height, image.channels, image.type);
+    const std::size_t bytes = static_cast<std::size_t>(image.channels) * image.bytes_per_channel();
+    std::byte* out = result.pixels.data();
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x, out += bytes) {
+            const int column = side ? y : x, row = side ? x : y;
+            const auto from = static_cast<std::size_t>(below ? image.height - 1 - row : row) * image.row_bytes() +
+                              static_cast<std::size_t>(right ? image.width - 1 - column : column) * bytes;
+            std::copy_n(image.pixels.data() + from, bytes, out);
+        }
+    return result;
+}
+
 bool starts_as_png(const std::filesystem::path& path) {
     std::array<std::byte, 8> start{};
     std::ifstream file(path, std::ios::binary);
@@ -98,12 +126,20 @@ Image read_image(const std::filesystem::path& path) {
     return decode(*open(name), name);
 }
 
-ImageSize read_image_size(const std::filesystem::path& path) {
+Image read_upright_image(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    check_file(path);
+    const int orientation = orientation_of(open(name)->spec());
+    return turned(read_image(path), orientation);
+}
+
+ImageSize read_upright_size(const std::filesystem::path& path) {
     const std::string name = path.string();
     check_file(path);
     const auto input = open(name);
     check_shape(input->spec(), name);
-    return {input->spec().width, input->spec().height};
+    const ImageSize size{input->spec().width, input->spec().height};
+    return lies_on_its_side(orientation_of(input->spec())) ? ImageSize{size.height, size.width} : size;
 }
 
 Image read_image_memory(std::string_view name, std::span<const std::byte> bytes) {

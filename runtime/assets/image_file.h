@@ -25,8 +25,11 @@ struct ImageSize {
     int width = 0, height = 0; ///< pixels, >= 1
 };
 
-/// The size of the image that `read_image` would read, from its header alone. Throws Error when there is none.
-[[nodiscard]] ImageSize read_image_size(const std::filesystem::path& path);
+/// The same, turned as its metadata say that it is to be seen (Exif's orientation): for photographs, not for textures.
+[[nodiscard]] Image read_upright_image(const std::filesystem::path& path);
+
+/// The size of the image that `read_upright_image` would read, from its header alone. Throws Error when there is none.
+[[nodiscard]] ImageSize read_upright_size(const std::filesystem::path& path);
 
 /// An 8-bit PNG. `image` is u8 with 1 to 4 channels, sRGB-encoded, not multiplied by alpha. The file appears whole or
 /// not at all.

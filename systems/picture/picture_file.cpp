@@ -30,7 +30,7 @@ PictureFile::PictureFile(const std::string& file) : file_(file) {
         width_ = video_->width();
         height_ = video_->height();
     } else {
-        const assets::ImageSize size = assets::read_image_size(file);
+        const assets::ImageSize size = assets::read_upright_size(file);
         width_ = size.width;
         height_ = size.height;
     }
@@ -46,7 +46,7 @@ int PictureFile::frame_at(const Picture& picture, double seconds) const {
 }
 
 assets::Image PictureFile::read(int frame) {
-    assets::Image image = video_ ? video_->read_frame(frame) : assets::read_image(file_);
+    assets::Image image = video_ ? video_->read_frame(frame) : assets::read_upright_image(file_);
     check_finite(image, file_);
     return image;
 }

@@ -29,6 +29,8 @@ TEST(VideoFile, JumpsGiveTheFramesThatReadingInOrderGives) {
     VideoFile video(file);
     ASSERT_GE(video.frame_count(), 6);
     EXPECT_GT(video.frames_per_second(), 1.0);
+    ASSERT_TRUE(video.frame_rate());
+    EXPECT_DOUBLE_EQ(double(video.frame_rate()->frames) / video.frame_rate()->seconds, video.frames_per_second());
     std::vector<Image> frames;
     for (int i = 0; i < 6; ++i) frames.push_back(video.read_frame(i));
     EXPECT_EQ(frames[0].width, video.width());
