@@ -1,5 +1,6 @@
 #include <hachure/components/name.h>
 #include <hachure/runtime/app/app.h>
+#include <hachure/systems/abstracted_lines/abstracted_lines.h>
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
@@ -38,6 +39,7 @@ void register_capabilities(App& app) {
     register_metal(app);
     register_toon(app);
     register_edge_lines(app);
+    register_abstracted_lines(app);
     register_compose(app);
     register_velocity(app);
 }

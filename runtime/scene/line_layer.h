@@ -1,13 +1,40 @@
 #pragma once
 
 #include <hachure/runtime/gpu/framebuffer.h>
+#include <hachure/runtime/scene/view_rects.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
 
 namespace hachure {
 
-/// Where this frame's texture `line_layer` holds lines. A resource; whoever draws lines sets it, systems/compose lays
-/// only this part over the picture.
-struct LineLayer {
-    gpu::Rect rect;
+/// Where this frame's texture `line_layer` holds lines. A resource; whoever draws lines says where, systems/compose
+/// lays only that part over the picture. Who creates the layer clears all of it.
+class LineLayer {
+public:
+    /// Where the capability `who` draws lines in this frame; it stands until the capability says something else.
+    void set(std::string_view who, const gpu::Rect& rect) {
+        const auto found = std::ranges::find(parts_, who, &Part::who);
+        if (found != parts_.end())
+            found->rect = rect;
+        else
+            parts_.push_back({who, rect});
+    }
+
+    /// Around all of them.
+    [[nodiscard]] gpu::Rect rect() const {
+        gpu::Rect rect;
+        for (const Part& part : parts_) rect = united(rect, part.rect);
+        return rect;
+    }
+
+private:
+    struct Part {
+        std::string_view who; ///< a name that outlives the world
+        gpu::Rect rect;
+    };
+    std::vector<Part> parts_;
 };
 
 } // namespace hachure

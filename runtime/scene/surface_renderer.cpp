@@ -6,6 +6,8 @@
 #include <hachure/runtime/scene/surface_renderer.h>
 #include <hachure/runtime/scene/view.h>
 
+#include <optional>
+
 namespace hachure {
 namespace {
 
@@ -65,12 +67,14 @@ void set_item(gpu::Program& program, const DrawItem& item) {
 /// What holds for all items of a pass.
 struct ItemPass {
     gpu::Rect viewport;
+    std::optional<gpu::Rect> scissor = {};
     bool normal = false, object_id = false, code = false; ///< what the shaders write besides their colour
 };
 
 gpu::DrawState draw_state(const ItemPass& pass, const DrawItem& item, const SurfaceMaterial& material) {
     gpu::DrawState state;
     state.viewport = pass.viewport;
+    state.scissor = pass.scissor;
     state.depth_test = gpu::DepthTest::greater;
     state.depth_write = true;
     state.srgb_write = true;
@@ -130,7 +134,7 @@ void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& 
     render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
     const View& view = world.resource<View>();
     const ItemPass items{
-        {0, 0, view.width, view.height}, bool(targets.normal), bool(targets.object_id), bool(targets.code)};
+        {0, 0, view.width, view.height}, {}, bool(targets.normal), bool(targets.object_id), bool(targets.code)};
     const DrawList& list = world.resource<DrawList>();
     const DrawClaims& claims = world.resource<DrawClaims>();
     for (std::size_t i = 0; i < list.items.size(); ++i)
@@ -139,9 +143,14 @@ void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& 
 
 void draw_all_surfaces(const World& world, RenderContext& render, std::string_view fragment,
                        const gpu::Rect& viewport) {
+    draw_all_surfaces(world, render, {.fragment = fragment}, viewport, viewport);
+}
+
+void draw_all_surfaces(const World& world, RenderContext& render, const SurfaceShading& shading,
+                       const gpu::Rect& viewport, const gpu::Rect& scissor) {
     render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
-    const SurfaceShading shading{.fragment = fragment};
-    for (const DrawItem& item : world.resource<DrawList>().items) draw_item(world, render, item, {viewport}, shading);
+    for (const DrawItem& item : world.resource<DrawList>().items)
+        draw_item(world, render, item, {viewport, scissor}, shading);
 }
 
 void add_surface_pass(World& world, const SurfaceShading& shading, std::uint64_t key) {

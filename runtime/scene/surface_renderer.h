@@ -53,6 +53,10 @@ void draw_surfaces(const World& world, RenderContext& render, gpu::PassContext& 
 /// buffer of all surfaces, is needed for.
 void draw_all_surfaces(const World& world, RenderContext& render, std::string_view fragment, const gpu::Rect& viewport);
 
+/// The same with all that a shading can say, confined to `scissor`.
+void draw_all_surfaces(const World& world, RenderContext& render, const SurfaceShading& shading,
+                       const gpu::Rect& viewport, const gpu::Rect& scissor);
+
 /// Declares the pass `shading.name`, which draws the claimed items and depends on `key` (what the shading itself
 /// depends on; view, lights, items and shaders are counted in). Without claimed items there is no pass.
 void add_surface_pass(World& world, const SurfaceShading& shading, std::uint64_t key);

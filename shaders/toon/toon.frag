@@ -1,6 +1,7 @@
 #version 450 core
 // Cel shading: the sum of all light, cut into tones (Barla et al. 2006 for detail and abstracted normals).
 #include "surface/surface.glsl"
+#include "surface/abstracted_normal.glsl"
 #include "common/bands.glsl"
 #include "common/constants.glsl"
 #include "common/tone.glsl"
@@ -8,10 +9,6 @@
 #include "toon/tones.glsl"
 
 uniform float wrap;
-#ifdef ABSTRACTED
-in vec3 abstracted_normal;
-uniform float abstraction;
-#endif
 #ifdef RIM
 uniform float rim;
 uniform float rim_width;
@@ -23,25 +20,6 @@ uniform float specular;
 uniform float specular_size;
 uniform vec3 specular_color;
 #endif
-
-// Section 4: between the surface's own normal and that of the abstracted shape.
-vec3 shading_normal(vec3 surface) {
-#ifdef ABSTRACTED
-    vec3 abstracted = abstracted_normal;
-#ifdef DOUBLE_SIDED
-#ifdef MIRRORED
-    if (gl_FrontFacing) abstracted = -abstracted;
-#else
-    if (!gl_FrontFacing) abstracted = -abstracted;
-#endif
-#endif
-    vec3 normal = mix(surface, normalize(abstracted), abstraction);
-    float square = dot(normal, normal);
-    return square > 1e-12 ? normal * inversesqrt(square) : surface;
-#else
-    return surface;
-#endif
-}
 
 #ifdef SPECULAR
 // Blinn-Phong's terms of all lights are summed, then cut where one alone would be at `specular_size` from the normal.

@@ -16,7 +16,7 @@ struct OverlayPass {
 /// Lays the line layer, if the frame has one, over the shaded surfaces.
 void declare_overlay(World& world, RenderContext& render) {
     gpu::FrameGraph& graph = render.graph;
-    const gpu::Rect rect = world.resource<LineLayer>().rect;
+    const gpu::Rect rect = world.resource<LineLayer>().rect();
     if (!graph.find("line_layer")) return;
     graph.add_pass<OverlayPass>(
         "overlay",
@@ -113,7 +113,8 @@ void register_compose(App& app) {
         .after("gooch.pass")
         .after("metal.pass")
         .after("toon.pass")
-        .after("edge_lines.pass");
+        .after("edge_lines.pass")
+        .after("abstracted_lines.pass");
 }
 
 } // namespace hachure

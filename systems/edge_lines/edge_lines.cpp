@@ -4,10 +4,10 @@
 #include <hachure/runtime/scene/frame_requests.h>
 #include <hachure/runtime/scene/line_layer.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/edge_lines/line_frame.h>
 #include <hachure/systems/edge_lines/line_pass.h>
-#include <hachure/systems/edge_lines/line_rects.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ void update_batches(Query<const EdgeLines> styled, const DrawList& list, const M
         frame.rect = united(frame.rect, grown(lined.item->rect, static_cast<int>(std::ceil(wide)) + 2, view));
     }
     group_lines(items, requests.wants("hidden_lines"), frame);
-    layer.rect = frame.rect;
+    layer.set("edge_lines", frame.rect);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include <hachure/runtime/gpu/state.h>
+#include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/edge_lines/image_lines.h>
-#include <hachure/systems/edge_lines/line_rects.h>
 #include <hachure/systems/edge_lines/line_width.h>
 
 #include <algorithm>

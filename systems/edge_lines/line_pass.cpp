@@ -1,6 +1,7 @@
 #include <hachure/components/edge_lines.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/light_list.h>
+#include <hachure/runtime/scene/line_layer.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/surface_renderer.h>
 #include <hachure/runtime/scene/view.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 namespace hachure {
@@ -60,26 +62,31 @@ private:
                            view_.height * probes_per_pixel});
     }
 
-    void bind_cleared(gpu::TextureHandle target, bool whole) {
+    void bind_cleared(gpu::TextureHandle target, const std::optional<gpu::Rect>& where) {
         const gpu::Framebuffer& framebuffer = render_.backend->framebuffer({pass_.texture(target)});
         framebuffer.bind();
         gpu::DrawState state = line_state(gpu::Blend::off);
-        if (whole) state.scissor.reset();
+        state.scissor = where;
         gpu::apply(state);
         framebuffer.clear_color(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
     }
 
+    /// Compose looks at the rectangle of all lines alone, who asks for the layer as an AOV at all of it.
+    void clear_layer(gpu::TextureHandle layer) {
+        const bool whole = !world_.resource<FrameRequests>().aovs.empty();
+        bind_cleared(layer, whole ? std::nullopt : std::optional(world_.resource<LineLayer>().rect()));
+    }
+
     /// The first group lies on nothing: it needs no layer of its own.
     void draw_layer(gpu::TextureHandle layer, std::span<const LineGroup> groups, bool with_image) {
-        // Compose looks at the rectangle alone, who asks for the layer as an AOV at all of it.
-        bind_cleared(layer, !world_.resource<FrameRequests>().aovs.empty());
+        clear_layer(layer);
         if (with_image) {
             render_.view_uniforms.bind(view_, world_.resource<LightList>());
             frame_.image.draw(render_, pass_, data_.image, layer);
         }
         for (std::size_t i = 0; i < groups.size(); ++i) {
             const bool on_nothing = i == 0 && !with_image;
-            if (!on_nothing) bind_cleared(data_.coverage, false);
+            if (!on_nothing) bind_cleared(data_.coverage, frame_.rect);
             draw_group(groups[i]);
             if (!on_nothing) lay_over(layer);
         }
@@ -165,12 +172,13 @@ void declare_line_pass(World& world) {
     const bool asked_for = requests.wants("line_layer") || requests.wants("hidden_lines");
     if (!asked_for && (frame.rect.width <= 0 || frame.rect.height <= 0)) return;
     RenderContext& render = world.resource_mutable<RenderContext>();
+    const gpu::Rect cleared = world.resource<LineLayer>().rect();
     render.graph.add_pass<LinePass>(
         "edge_lines",
         [&](gpu::PassBuilder& pass, LinePass& data) {
             declare_textures(world, render.graph, pass, data);
             pass.depends_on(world.resource<DrawList>().key, world.last_changed<EdgeLines>(),
-                            render.shaders->generation());
+                            render.shaders->generation(), cleared.x, cleared.y, cleared.width, cleared.height);
             pass.covers(static_cast<std::uint64_t>(frame.rect.width) * static_cast<std::uint64_t>(frame.rect.height));
         },
         [&world](const LinePass& data, gpu::PassContext& pass) { LineDrawing(world, data, pass).run(); });

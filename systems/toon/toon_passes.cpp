@@ -14,7 +14,6 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <unordered_set>
 
 namespace hachure {
 namespace {
@@ -22,7 +21,6 @@ namespace {
 constexpr std::size_t max_bands = 16; ///< as in the range of Toon::bands
 constexpr unsigned ramp_unit = SurfaceShading::first_free_unit;
 constexpr unsigned normals_unit = ramp_unit + 1;
-constexpr int normals_columns = 1024;
 
 /// Null where the surface is shaded with its own normals.
 const AbstractedNormals* abstracted_normals_of(const World& world, Entity entity, const Toon& toon) {
@@ -51,7 +49,9 @@ void add_defines(const World& world, Entity entity, std::vector<gpu::ShaderDefin
     }
     if (toon.rim > 0.0f) defines.push_back({"RIM", ""});
     if (toon.specular > 0.0f) defines.push_back({"SPECULAR", ""});
-    if (abstracted_normals_of(world, entity, toon)) defines.push_back({"ABSTRACTED", ""});
+    if (!abstracted_normals_of(world, entity, toon)) return;
+    defines.push_back({"ABSTRACTED", ""});
+    defines.push_back({"NORMALS_UNIT", std::to_string(normals_unit)});
 }
 
 /// From shade to light in even steps to the eye, which judges ratios: each colour is the one before times the same.
@@ -95,18 +95,6 @@ void set_uniforms(const World& world, Entity entity, gpu::Program& program) {
     program.set("abstraction", toon.abstraction);
 }
 
-/// By vertex, row after row.
-gpu::Texture normals_texture(std::span<const glm::vec3> normals) {
-    const int rows = static_cast<int>((normals.size() + normals_columns - 1) / normals_columns);
-    std::vector<float> texels(4 * static_cast<std::size_t>(rows) * normals_columns);
-    for (std::size_t i = 0; i < normals.size(); ++i)
-        for (int c = 0; c < 3; ++c) texels[4 * i + static_cast<std::size_t>(c)] = normals[i][c];
-    gpu::Texture texture({normals_columns, rows, gpu::Format::rgba32f}, "abstracted normals");
-    texture.upload(std::span<const float>(texels), gpu::RowOrder::bottom_first);
-    texture.set_sampling(gpu::Sampling::nearest());
-    return texture;
-}
-
 } // namespace
 
 void ToonPasses::declare(World& world) {
@@ -125,7 +113,7 @@ void ToonPasses::declare(World& world) {
         drawn.push_back(entity);
     }
     read_ramps(world, drawn);
-    forget_all_but(drawn);
+    normals_.forget_all_but(drawn);
     add_surface_pass(world,
                      {.name = name,
                       .fragment = "toon/toon.frag",
@@ -150,17 +138,8 @@ void ToonPasses::read_ramps(const World& world, const std::vector<Entity>& drawn
 void ToonPasses::bind(const World& world, const DrawItem& item) {
     const Toon& toon = world.get<Toon>(item.entity);
     if (!toon.ramp.empty()) ramps_.texture(toon.ramp).bind(ramp_unit);
-    const AbstractedNormals* abstracted = abstracted_normals_of(world, item.entity, toon);
-    if (!abstracted) return;
-    Normals& own = normals_[item.entity];
-    if (own.version != abstracted->version) own = {normals_texture(*abstracted->normals), abstracted->version};
-    own.texture.bind(normals_unit);
-}
-
-void ToonPasses::forget_all_but(const std::vector<Entity>& drawn) {
-    if (normals_.empty()) return;
-    const std::unordered_set<Entity> kept(drawn.begin(), drawn.end());
-    std::erase_if(normals_, [&](const auto& entry) { return !kept.contains(entry.first); });
+    if (const AbstractedNormals* abstracted = abstracted_normals_of(world, item.entity, toon))
+        normals_.get(item.entity, abstracted->version, *abstracted->normals).bind(normals_unit);
 }
 
 } // namespace hachure

@@ -3,12 +3,10 @@
 #include <hachure/components/toon.h>
 #include <hachure/runtime/ecs/world.h>
 #include <hachure/runtime/gpu/program.h>
-#include <hachure/runtime/gpu/texture.h>
+#include <hachure/runtime/scene/vertex_textures.h>
 #include <hachure/systems/toon/toon_ramps.h>
 
-#include <cstdint>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace hachure {
@@ -25,17 +23,11 @@ public:
     void declare(World& world);
 
 private:
-    struct Normals {
-        gpu::Texture texture;
-        std::uint64_t version = 0;
-    };
-
     void read_ramps(const World& world, const std::vector<Entity>& drawn);
     void bind(const World& world, const DrawItem& item);
-    void forget_all_but(const std::vector<Entity>& drawn);
 
     ToonRamps ramps_;
-    std::unordered_map<Entity, Normals> normals_;
+    VertexTextures normals_{"abstracted normals"};
 };
 
 } // namespace hachure

@@ -57,8 +57,8 @@ TEST_F(PictureInput, AVideoPlaysAtItsOwnRate) {
     EXPECT_EQ(assets::read_image(folder / "first.png").width, 32);
     ASSERT_TRUE(succeeded(render({"film.mp4", "-o", "t.png", "--style", "plain.json", "--time", "0.25"})));
     EXPECT_TRUE(file_text(folder / "t.png") == file_text(folder / "f.3.png"));
-    ASSERT_TRUE(
-        succeeded(render({"film.mp4", "-o", "slow.#.png", "--style", "plain.json", "--frames", "7..8", "--fps", "25"})));
+    ASSERT_TRUE(succeeded(
+        render({"film.mp4", "-o", "slow.#.png", "--style", "plain.json", "--frames", "7..8", "--fps", "25"})));
     EXPECT_TRUE(file_text(folder / "slow.7.png") == file_text(folder / "f.3.png")) << "frame k shows second k / fps";
     EXPECT_TRUE(file_text(folder / "slow.8.png") == file_text(folder / "f.4.png"));
 }

@@ -1,6 +1,7 @@
 // Every capability of the house together: their systems are in order wherever order matters.
 
 #include <hachure/runtime/app/app.h>
+#include <hachure/systems/abstracted_lines/abstracted_lines.h>
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
@@ -63,11 +64,14 @@ struct Capability {
     void (*add)(App&);
 };
 constexpr Capability capabilities[] = {
-    {"transform", register_transform}, {"camera", register_camera},       {"light", register_light},
-    {"surface", register_surface},     {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
-    {"compose", register_compose},     {"animation", register_animation}, {"deform", register_deform},
-    {"velocity", register_velocity},   {"curvature", register_curvature}, {"timeline", register_timeline},
-    {"script", register_script},       {"metal", register_metal},         {"toon", register_toon},
+    {"transform", register_transform}, {"camera", register_camera},
+    {"light", register_light},         {"surface", register_surface},
+    {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
+    {"compose", register_compose},     {"animation", register_animation},
+    {"deform", register_deform},       {"velocity", register_velocity},
+    {"curvature", register_curvature}, {"timeline", register_timeline},
+    {"script", register_script},       {"metal", register_metal},
+    {"toon", register_toon},           {"abstracted_lines", register_abstracted_lines},
     {"picture", register_picture},
 };
 
@@ -100,7 +104,7 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_LT(place(app, "deform"), place(app, "toon.normals"));
     EXPECT_THAT(names_in(app, Stage::render),
                 ElementsAre("deform.pass", "surface.passes", "picture.pass", "gooch.pass", "metal.pass", "toon.pass",
-                            "edge_lines.pass", "velocity.pass", "compose.passes"));
+                            "edge_lines.pass", "abstracted_lines.pass", "velocity.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest

@@ -131,7 +131,7 @@ TEST(ImageFile, WritesNothingWhereItCannot) {
 TEST(ImageFile, PhotographsAreTurnedUpright) {
     const test::TempFolder folder;
     const std::string stored = "abcdef";
-    const std::vector<std::string> seen{"abc/def",   "cba/fed",   "fed/cba",   "def/abc",
+    const std::vector<std::string> seen{"abc/def",  "cba/fed",  "fed/cba",  "def/abc",
                                         "ad/be/cf", "da/eb/fc", "fc/eb/da", "cf/be/ad"};
     for (int orientation = 1; orientation <= 8; ++orientation) {
         const std::string file = (folder / "photo.tif").string();

@@ -102,8 +102,8 @@ TEST_P(PictureTest, ScaledPixelsAreMeans) {
         for (int y = 0; y < canvas.height; ++y)
             for (int x = 0; x < canvas.width; ++x) {
                 const int up = canvas.height - 1 - y;
-                const bool inside = x >= place.x && x < place.x + place.width && up >= place.y &&
-                                    up < place.y + place.height;
+                const bool inside =
+                    x >= place.x && x < place.x + place.width && up >= place.y && up < place.y + place.height;
                 wanted.push_back(inside ? mean_tone(tones, one.width, one.height, place, canvas.height, x, y) : 1.0);
             }
         EXPECT_LT(largest_difference(scene.tones(), wanted), 2e-5) << one.width << "x" << one.height;
@@ -236,8 +236,7 @@ TEST_P(PictureTest, WhatIsTransparentShowsTheBackground) {
     assets::write_png(folder / "i.png", image);
     PictureScene scene(context(), {2, 1});
     scene.show({.file = (folder / "i.png").string()});
-    scene.world().add(std::get<Entity>(*scene.world().query<const Camera>().begin()),
-                      Compose{.background = {0, 1, 0}});
+    scene.world().add(std::get<Entity>(*scene.world().query<const Camera>().begin()), Compose{.background = {0, 1, 0}});
     const assets::Image drawn = scene.draw();
     EXPECT_THAT(std::vector<int>(drawn.u8(), drawn.u8() + 6), testing::ElementsAre(200, 30, 60, 0, 255, 0));
     const assets::Image tones = scene.tones();

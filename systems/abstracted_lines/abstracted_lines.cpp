@@ -1,0 +1,51 @@
+#include <hachure/runtime/app/app.h>
+#include <hachure/systems/abstracted_lines/abstracted_lines.h>
+#include <hachure/systems/abstracted_lines/select_lines.h>
+#include <hachure/systems/abstracted_lines/tone_line_passes.h>
+
+#include <memory>
+
+namespace hachure {
+namespace {
+
+void add_aovs(std::vector<AovInfo>& known) {
+    known.push_back({"tone",
+                     "diffuse tone that abstracted lines are found in: 0 black, 1 white; 1 where nothing is drawn",
+                     {"tone"}});
+    known.push_back({"tone_specular", "specular tone that they are found in; 0 where nothing is drawn", {"tone"}});
+    known.push_back({"ridge_distance",
+                     "pixels to the middle of the line that a pixel belongs to, of diffuse and of specular tone; 1e10 "
+                     "where there is none",
+                     {"diffuse", "specular"}});
+    known.push_back({"ridge_curvature",
+                     "change of tone over half a line's width at that place, of diffuse and of specular tone: above 0 "
+                     "in dark lines, below in highlights",
+                     {"diffuse", "specular"}});
+    known.push_back({"line_opacity", "opacity of dark and of highlight lines of tone", {"dark", "highlight"}});
+}
+
+} // namespace
+
+void register_abstracted_lines(App& app) {
+    app.add_component<AbstractedLines>();
+    app.add_component<ToneImage>();
+    app.world().set_resource(ToneLineFrame{});
+    if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
+    add_aovs(frame_requests(app.world()).known);
+    app.add_system(Stage::material, "abstracted_lines.select",
+                   [select = std::make_shared<SelectToneLines>()](
+                       Query<const AbstractedLines> styled, Query<const ToneImage> qualities, const DrawList& list,
+                       const View& view, FrameRequests& requests, ToneLineFrame& frame,
+                       LineLayer& layer) { (*select)(styled, qualities, list, view, requests, frame, layer); })
+        .after("surface.collect")
+        .after("edge_lines.select");
+    app.add_system(Stage::render, "abstracted_lines.pass",
+                   [passes = std::make_shared<ToneLinePasses>()](World& world) { passes->declare(world); })
+        .after("surface.passes")
+        .after("gooch.pass")
+        .after("metal.pass")
+        .after("toon.pass")
+        .after("edge_lines.pass");
+}
+
+} // namespace hachure

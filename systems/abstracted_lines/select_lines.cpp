@@ -1,0 +1,86 @@
+#include <hachure/runtime/app/log.h>
+#include <hachure/systems/abstracted_lines/select_lines.h>
+#include <hachure/systems/abstracted_lines/tone_levels.h>
+#include <hachure/systems/abstracted_lines/tone_quality.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hachure {
+namespace {
+
+/// Around lines of this width: what their search looks at, and what the blur of that does.
+ToneRects rects_around(const gpu::Rect& lines, float widest, bool whole, const View& view) {
+    const gpu::Rect all{0, 0, view.width, view.height};
+    if (whole) return {all, all, all};
+    if (lines.width <= 0 || lines.height <= 0) return {};
+    // A search ends half a width away, and its taps are diagonal.
+    const int search = static_cast<int>(std::ceil(1.3f * widest)) + 2;
+    const gpu::Rect blurred = grown(lines, search, view);
+    return {lines, blurred, grown(blurred, blur_radius(blur_sigma(double(widest))), view)};
+}
+
+bool wants_whole_view(const FrameRequests& requests) {
+    for (const char* name : {"tone", "tone_specular", "ridge_distance", "ridge_curvature", "line_opacity"})
+        if (requests.wants(name)) return true;
+    return false;
+}
+
+} // namespace
+
+void SelectToneLines::warn_of_thin_lines(Entity entity, float width) {
+    if (width >= steady_width || !warned_.insert(entity).second) return;
+    log_warning(fmt::format("abstracted_lines: lines {:.2g} pixels wide are unsteady where tones are noisy, and faint "
+                            "below {:.2g}; from {:.2g} on they are not",
+                            width, narrowest_search, steady_width));
+}
+
+void SelectToneLines::add(const DrawItem& item, const AbstractedLines& lines, const View& view, ToneLineFrame& frame) {
+    const float full = full_width(lines, view), least = least_width(lines, view);
+    warn_of_thin_lines(item.entity, full);
+    if (frame.styles.size() <= item.object_id) frame.styles.resize(item.object_id + 1);
+    frame.styles[item.object_id] = line_style(lines, view);
+    const float narrowest = std::max(least, narrowest_search), widest = std::max(full, narrowest_search);
+    frame.narrowest = frame.widest > 0.0f ? std::min(frame.narrowest, narrowest) : narrowest;
+    frame.widest = std::max(frame.widest, widest);
+    frame.least_curvature = std::min(frame.least_curvature, least_curvature(lines));
+    (lines.method == ToneLineMethod::pixels ? frame.pixels : frame.strokes) = true;
+    frame.rects.lines = united(frame.rects.lines, item.rect);
+}
+
+void SelectToneLines::operator()(Query<const AbstractedLines> styled, Query<const ToneImage> qualities,
+                                 const DrawList& list, const View& view, FrameRequests& requests, ToneLineFrame& frame,
+                                 LineLayer& layer) {
+    const auto quality = qualities.find(view.camera);
+    frame = {.quality = resolved(quality ? std::get<const ToneImage&>(*quality) : ToneImage{})};
+    bool all = true;
+    for (const DrawItem& item : list.items) {
+        const auto found = styled.find(item.entity);
+        const AbstractedLines* lines = found ? &std::get<const AbstractedLines&>(*found) : nullptr;
+        if (lines && draws_anything(*lines))
+            add(item, *lines, view, frame);
+        else
+            all = false;
+    }
+    if (frame.styles.empty()) {
+        frame.styles.emplace_back();
+        frame.narrowest = frame.widest = narrowest_search;
+    }
+    frame.only = frame.styles.back();
+    frame.uniform = all && std::ranges::all_of(list.items, [&](const DrawItem& item) {
+                        return frame.styles[item.object_id] == frame.only;
+                    });
+    frame.varying = frame.narrowest < frame.widest;
+    if (frame.pixels || frame.strokes) {
+        // Half a line along an outline is outside of it.
+        const int outside = static_cast<int>(std::ceil(0.5f * frame.widest)) + 2;
+        frame.rects.lines = grown(frame.rects.lines, outside, view);
+    }
+    frame.rects = rects_around(frame.rects.lines, frame.widest, wants_whole_view(requests), view);
+    if (!frame.uniform) requests.textures.insert("object_id");
+    layer.set("abstracted_lines", frame.pixels || frame.strokes ? frame.rects.lines : gpu::Rect{});
+}
+
+} // namespace hachure

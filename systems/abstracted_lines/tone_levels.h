@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace hachure {
+
+/// The blur for lines of a width: a Gaussian of half of it, which finds every bar of that width (recall 1.00; a third
+/// of it .92, a sixth .84).
+[[nodiscard]] constexpr double blur_sigma(double width) { return 0.5 * width; }
+
+/// The widths, px, ascending, that a stack of blurred images is made for: one for one width; else from the narrowest to
+/// the widest in steps of at most the root of two, between which lines blend their tones by variance.
+[[nodiscard]] std::vector<double> stack_widths(double narrowest, double widest);
+
+/// How many texels to each side a blur looks at.
+[[nodiscard]] int blur_radius(double sigma);
+
+/// Weights of a Gaussian for offsets 0, 1, ..., blur_radius(sigma); over both sides they sum to 1.
+[[nodiscard]] std::vector<float> blur_weights(double sigma);
+
+} // namespace hachure

@@ -1,0 +1,322 @@
+#include <hachure/components/abstracted_lines.h>
+#include <hachure/components/tone_image.h>
+#include <hachure/components/toon.h>
+#include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/light_list.h>
+#include <hachure/runtime/scene/line_layer.h>
+#include <hachure/runtime/scene/render_context.h>
+#include <hachure/runtime/scene/view.h>
+#include <hachure/systems/abstracted_lines/tone_blur.h>
+#include <hachure/systems/abstracted_lines/tone_levels.h>
+#include <hachure/systems/abstracted_lines/tone_line_passes.h>
+#include <hachure/systems/abstracted_lines/tone_quality.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace hachure {
+namespace {
+
+using gpu::TextureHandle;
+
+std::uint64_t pixels_of(const gpu::Rect& rect) {
+    return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
+}
+
+void depend_on_rect(gpu::PassBuilder& pass, const gpu::Rect& rect) {
+    pass.depends_on(rect.x, rect.y, rect.width, rect.height);
+    pass.covers(pixels_of(rect));
+}
+
+/// White where nothing is drawn, without highlights, without a width of lines.
+constexpr std::array background_tone{1.0f, 0.0f, 0.0f, 0.0f};
+
+struct TonePass {
+    TextureHandle tone, depth, samples;
+};
+
+struct SpecularPass {
+    TextureHandle tone, specular;
+};
+
+struct BlurPass {
+    TextureHandle tone;
+    std::vector<TextureHandle> levels;
+    std::vector<std::vector<TextureHandle>> scratch; ///< of each level
+};
+
+/// What finding lines reads, and what it draws into.
+struct FindPass {
+    std::vector<TextureHandle> levels, targets;
+    TextureHandle object_ids;
+    bool clear = false; ///< the targets are new
+};
+
+std::uint64_t styles_key(const ToneLineFrame& frame) {
+    gpu::KeyHash key;
+    for (const ToneLineStyle& style : frame.styles)
+        for (const glm::vec4& part : {style.color, style.highlight_color, style.thresholds, style.kinds, style.line})
+            key.add(part);
+    const ToneImage& quality = frame.quality;
+    key.add(quality.samples);
+    key.add(quality.storage);
+    key.add(quality.blur);
+    key.add(quality.taps);
+    key.add(quality.iterations);
+    key.add(quality.polish);
+    key.add(frame.narrowest);
+    key.add(frame.widest);
+    key.add(frame.uniform);
+    return key.value();
+}
+
+std::vector<double> widths_of(const ToneLineFrame& frame) {
+    return stack_widths(double(frame.narrowest), double(frame.widest));
+}
+
+void clear(const gpu::Framebuffer& framebuffer, int index, const std::array<float, 4>& value,
+           const std::optional<gpu::Rect>& where) {
+    framebuffer.bind();
+    gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}, .scissor = where});
+    framebuffer.clear_color(index, value);
+}
+
+/// Runs the search into the targets of a pass.
+void find_lines(World& world, const FindPass& data, gpu::PassContext& pass, LineFinder& finder, LineOutput output) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    const ToneLineFrame& frame = world.resource<ToneLineFrame>();
+    if (frame.rects.empty()) return;
+    const std::vector<double> widths = widths_of(frame);
+    std::vector<ToneLevel> levels;
+    for (std::size_t i = 0; i < widths.size(); ++i) levels.push_back({pass.texture(data.levels[i]), widths[i]});
+    finder.run(render, {.quality = frame.quality,
+                        .levels = levels,
+                        .widths = levels.back().texture,
+                        .object_ids = data.object_ids ? pass.texture(data.object_ids) : 0,
+                        .styles = data.object_ids ? std::span(frame.styles) : std::span(&frame.only, 1),
+                        .width = frame.widest,
+                        .least_curvature = frame.least_curvature,
+                        .rect = frame.rects.lines,
+                        .output = output});
+}
+
+void declare_find(World& world, gpu::PassBuilder& pass, const std::vector<TextureHandle>& levels, bool owners,
+                  FindPass& data) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    const ToneLineFrame& frame = world.resource<ToneLineFrame>();
+    for (const TextureHandle level : levels) data.levels.push_back(pass.read(level));
+    if (owners) data.object_ids = pass.read(render.graph.find("object_id"));
+    pass.depends_on(styles_key(frame), frame.least_curvature, render.shaders->generation());
+    depend_on_rect(pass, frame.rects.lines);
+}
+
+} // namespace
+
+void ToneLinePasses::declare(World& world) {
+    const ToneLineFrame& frame = world.resource<ToneLineFrame>();
+    const FrameRequests& requests = world.resource<FrameRequests>();
+    const bool maps =
+        requests.wants("ridge_distance") || requests.wants("ridge_curvature") || requests.wants("line_opacity");
+    const bool points = requests.wants("ridge_points");
+    const bool tones = requests.wants("tone") || requests.wants("tone_specular");
+    if (!frame.pixels && !maps && !points && !tones) return;
+    Textures textures;
+    declare_tone(world, textures);
+    if (requests.wants("tone_specular")) declare_specular(world, textures);
+    if (!frame.pixels && !maps && !points) return;
+    declare_blur(world, textures);
+    if (frame.pixels) declare_lines(world, textures);
+    if (maps) declare_maps(world, textures);
+    if (points) declare_points(world, textures);
+}
+
+void ToneLinePasses::declare_tone(World& world, Textures& textures) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    const ToneLineFrame& frame = world.resource<ToneLineFrame>();
+    const View& view = world.resource<View>();
+    const gpu::Format format = tone_format(frame.quality.storage, frame.varying);
+    const int samples = frame.quality.samples;
+    const TonePass& made = render.graph.add_pass<TonePass>(
+        "tone",
+        [&](gpu::PassBuilder& pass, TonePass& data) {
+            data.tone = pass.create("tone", {view.width, view.height, format});
+            render.graph.publish("tone", data.tone);
+            data.depth = pass.create(
+                "tone_depth",
+                {.width = view.width, .height = view.height, .format = gpu::Format::depth32f, .samples = samples});
+            if (samples > 1)
+                data.samples = pass.create(
+                    "tone_samples", {.width = view.width, .height = view.height, .format = format, .samples = samples});
+            gpu::KeyHash key;
+            shading_.add_key(world, key);
+            pass.depends_on(world.resource<DrawList>().key, world.resource<LightList>().key(), key.value(),
+                            world.last_changed<AbstractedLines>(), world.last_changed<Toon>(), styles_key(frame),
+                            render.shaders->generation());
+            depend_on_rect(pass, frame.rects.shaded);
+        },
+        [this, &world, &render](const TonePass& data, gpu::PassContext& pass) {
+            const ToneLineFrame& drawn = world.resource<ToneLineFrame>();
+            const std::uint32_t target = pass.texture(data.samples ? data.samples : data.tone);
+            const gpu::Framebuffer& framebuffer = render.backend->framebuffer({target}, pass.texture(data.depth));
+            framebuffer.bind();
+            gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()},
+                        .scissor = drawn.rects.shaded,
+                        .depth_test = gpu::DepthTest::always,
+                        .depth_write = true});
+            framebuffer.clear_color(0, background_tone);
+            framebuffer.clear_depth(0.0f);
+            shading_.draw(world, render, drawn);
+            if (!data.samples) return;
+            gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}, .scissor = drawn.rects.shaded});
+            framebuffer.blit_color(render.backend->framebuffer({pass.texture(data.tone)}));
+        });
+    textures.tone = made.tone;
+}
+
+/// The specular tone in a texture of its own: a buffer that is asked for has its own channels.
+void ToneLinePasses::declare_specular(World& world, const Textures& textures) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    render.graph.add_pass<SpecularPass>(
+        "tone_specular",
+        [&](gpu::PassBuilder& pass, SpecularPass& data) {
+            data.tone = pass.read(textures.tone);
+            const gpu::TextureDesc& desc = render.graph.desc(data.tone);
+            data.specular = pass.create("tone_specular", {desc.width, desc.height, gpu::Format::r32f});
+            render.graph.publish("tone_specular", data.specular);
+            pass.depends_on(render.shaders->generation());
+        },
+        [&render](const SpecularPass& data, gpu::PassContext& pass) {
+            const gpu::TextureDesc& desc = pass.desc(data.specular);
+            render.backend->framebuffer({pass.texture(data.specular)}).bind();
+            render.draw_full_screen("abstracted_lines/specular.frag", {.viewport = {0, 0, desc.width, desc.height}},
+                                    {pass.texture(data.tone)});
+        });
+}
+
+void ToneLinePasses::declare_blur(World& world, Textures& textures) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    const ToneLineFrame& frame = world.resource<ToneLineFrame>();
+    const std::vector<double> widths = widths_of(frame);
+    const BlurPass& made = render.graph.add_pass<BlurPass>(
+        "tone_blur",
+        [&](gpu::PassBuilder& pass, BlurPass& data) {
+            data.tone = pass.read(textures.tone);
+            const gpu::TextureDesc desc = render.graph.desc(textures.tone);
+            for (std::size_t i = 0; i < widths.size(); ++i) {
+                data.levels.push_back(pass.create(fmt::format("tone_level_{}", i), desc));
+                auto& scratch = data.scratch.emplace_back();
+                for (const gpu::TextureDesc& other :
+                     ToneBlurJob::scratch(frame.quality.blur, blur_sigma(widths[i]), desc))
+                    scratch.push_back(pass.create(fmt::format("tone_scratch_{}_{}", i, scratch.size()), other));
+            }
+            pass.depends_on(styles_key(frame), render.shaders->generation());
+            depend_on_rect(pass, frame.rects.blurred);
+        },
+        [&world, &render, widths](const BlurPass& data, gpu::PassContext& pass) {
+            const ToneLineFrame& drawn = world.resource<ToneLineFrame>();
+            if (drawn.rects.empty()) return;
+            // Each level blurs the one before it a little more; all but the last are also looked at around what is.
+            double before = 0.0;
+            gpu::Rect valid = drawn.rects.shaded;
+            for (std::size_t i = 0; i < widths.size(); ++i) {
+                const double sigma = blur_sigma(widths[i]);
+                const gpu::Rect rect = i + 1 == widths.size() ? drawn.rects.blurred : drawn.rects.shaded;
+                std::vector<std::uint32_t> scratch;
+                for (const TextureHandle handle : data.scratch[i]) scratch.push_back(pass.texture(handle));
+                ToneBlurJob{.kind = drawn.quality.blur,
+                            .sigma = std::sqrt(sigma * sigma - before * before),
+                            .from = i == 0 ? pass.texture(data.tone) : pass.texture(data.levels[i - 1]),
+                            .to = pass.texture(data.levels[i]),
+                            .valid = valid,
+                            .rect = rect}
+                    .run(render, scratch);
+                before = sigma;
+            }
+        });
+    textures.levels = made.levels;
+}
+
+void ToneLinePasses::declare_lines(World& world, const Textures& textures) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    gpu::FrameGraph& graph = render.graph;
+    const View& view = world.resource<View>();
+    const gpu::Rect cleared = world.resource<LineLayer>().rect();
+    graph.add_pass<FindPass>(
+        "abstracted_lines",
+        [&](gpu::PassBuilder& pass, FindPass& data) {
+            declare_find(world, pass, textures.levels, !world.resource<ToneLineFrame>().uniform, data);
+            const TextureHandle below = graph.find("line_layer");
+            data.clear = !below;
+            data.targets = {below ? pass.write(below)
+                                  : pass.create("line_layer", {view.width, view.height, gpu::Format::rgba16f})};
+            graph.publish("line_layer", data.targets.front());
+            pass.depends_on(cleared.x, cleared.y, cleared.width, cleared.height);
+        },
+        [this, &world, &render, cleared](const FindPass& data, gpu::PassContext& pass) {
+            const gpu::Framebuffer& layer = render.backend->framebuffer({pass.texture(data.targets.front())});
+            // Compose looks at the rectangle of all lines alone, who asks for the layer as an AOV at all of it.
+            const bool whole = !world.resource<FrameRequests>().aovs.empty();
+            if (data.clear) clear(layer, 0, {0.0f, 0.0f, 0.0f, 0.0f}, whole ? std::nullopt : std::optional(cleared));
+            layer.bind();
+            find_lines(world, data, pass, finder_, LineOutput::layer);
+        });
+}
+
+void ToneLinePasses::declare_maps(World& world, const Textures& textures) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    gpu::FrameGraph& graph = render.graph;
+    const View& view = world.resource<View>();
+    graph.add_pass<FindPass>(
+        "ridge_maps",
+        [&](gpu::PassBuilder& pass, FindPass& data) {
+            declare_find(world, pass, textures.levels, !world.resource<ToneLineFrame>().uniform, data);
+            for (const char* name : {"ridge_distance", "ridge_curvature", "line_opacity"}) {
+                data.targets.push_back(pass.create(name, {view.width, view.height, gpu::Format::rg32f}));
+                graph.publish(name, data.targets.back());
+            }
+        },
+        [this, &world, &render](const FindPass& data, gpu::PassContext& pass) {
+            const gpu::Framebuffer& maps = render.backend->framebuffer(
+                {pass.texture(data.targets[0]), pass.texture(data.targets[1]), pass.texture(data.targets[2])});
+            clear(maps, 0, {1e10f, 1e10f, 0.0f, 0.0f}, std::nullopt);
+            for (const int i : {1, 2}) maps.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+            find_lines(world, data, pass, finder_, LineOutput::maps);
+        });
+}
+
+void ToneLinePasses::declare_points(World& world, const Textures& textures) {
+    struct Target {
+        const char* name;
+        gpu::Format format;
+    };
+    static constexpr std::array<Target, 5> targets{{{"ridge_points", gpu::Format::rgba32f},
+                                                    {"ridge_directions", gpu::Format::rgba16f},
+                                                    {"specular_ridge_points", gpu::Format::rgba32f},
+                                                    {"specular_ridge_directions", gpu::Format::rgba16f},
+                                                    {"ridge_owner", gpu::Format::r32ui}}};
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    gpu::FrameGraph& graph = render.graph;
+    const View& view = world.resource<View>();
+    graph.add_pass<FindPass>(
+        "ridge_points",
+        [&](gpu::PassBuilder& pass, FindPass& data) {
+            declare_find(world, pass, textures.levels, true, data);
+            for (const Target& target : targets) {
+                data.targets.push_back(pass.create(target.name, {view.width, view.height, target.format}));
+                graph.publish(target.name, data.targets.back());
+            }
+        },
+        [this, &world, &render](const FindPass& data, gpu::PassContext& pass) {
+            const auto id = [&](std::size_t i) { return pass.texture(data.targets[i]); };
+            const gpu::Framebuffer& points = render.backend->framebuffer({id(0), id(1), id(2), id(3), id(4)});
+            clear(points, 0, {0.0f, 0.0f, 0.0f, 0.0f}, std::nullopt);
+            for (const int i : {1, 2, 3}) points.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+            points.clear_color(4, std::array{0u, 0u, 0u, 0u});
+            find_lines(world, data, pass, finder_, LineOutput::points);
+        });
+}
+
+} // namespace hachure
