@@ -1,5 +1,6 @@
 #pragma once
 
+#include <hachure/components/compose.h>
 #include <hachure/components/picture.h>
 #include <hachure/components/picture_coat.h>
 #include <hachure/runtime/assets/frame_writer.h>
@@ -45,7 +46,10 @@ inline std::string write_film(const TempFolder& folder, int width, int height, i
 /// A world that shows one picture.
 class PictureScene : public DrawnScene {
 public:
-    PictureScene(gpu::Context& context, Canvas canvas) : DrawnScene(context, canvas) { add(Camera{}, Transform{}); }
+    PictureScene(gpu::Context& context, Canvas canvas)
+        : DrawnScene(context, canvas), camera_(add(Camera{}, Transform{})) {}
+
+    void set_background(const glm::vec3& color) { world().add(camera_, Compose{.background = color}); }
 
     Entity show(const Picture& picture, const PictureCoat& coat = {}) { return world().create_with(picture, coat); }
 
@@ -55,6 +59,9 @@ public:
         renderer().render_frame();
         return renderer().read_aov("picture_tone");
     }
+
+private:
+    Entity camera_;
 };
 
 } // namespace hachure::test
