@@ -71,10 +71,10 @@ void open_picture(App& app, const std::filesystem::path& input, Canvas canvas, c
     if (style.picture.empty())
         throw Error(input.string(), "has no surfaces, and style '" + name + "' says nothing of pictures: " +
                                         picture_style + " does, or a preset with a \"picture\" section");
-    static_cast<void>(picture_size(input)); // says what is wrong with it
+    static_cast<void>(picture_size(input)); // a file without a header that can be read ends here
     World& world = app.world();
     world.set_resource(canvas);
-    world.create_with(Name{input.stem().string()}, Picture{.file = input.string()});
+    world.create_with(Name{input.stem().string()}, Transform{}, Picture{.file = input.string()});
     world.create_with(Name{"camera"}, Transform{}, Camera{}, Unsaved{});
     apply_style(world, app.types(), style);
     world.set_resource(SceneDocument{.style = name, .applied_style = name});
