@@ -9,9 +9,6 @@
 namespace hachure {
 namespace {
 
-constexpr double usual_rate = 30.0;      // frames per second of a video that does not say
-constexpr double frame_tolerance = 1e-3; // of a frame: second k / rate is in frame k, whatever the rounding
-
 void check_finite(const assets::Image& image, const std::string& file) {
     if (image.type != assets::PixelType::f32) return;
     const std::span values(image.f32(), image.pixels.size() / sizeof(float));
@@ -38,11 +35,12 @@ PictureFile::PictureFile(const std::string& file) : file_(file) {
 
 int PictureFile::frame_at(const Picture& picture, double seconds) const {
     if (!video_) return 0;
-    const double rate = video_->frames_per_second() > 0.0 ? video_->frames_per_second() : usual_rate;
     const double time = double(picture.time_offset) + double(picture.speed) * seconds;
-    const double frame = std::floor(time * rate + frame_tolerance), count = video_->frame_count();
-    if (picture.loop) return static_cast<int>(frame - count * std::floor(frame / count));
-    return static_cast<int>(std::clamp(frame, 0.0, count - 1.0));
+    if (!picture.loop) return video_->frame_at(time);
+    // As in VideoFile::frame_at, so that a moment just before the end, as rounding leaves it, is the beginning.
+    const double given = 0.1 / (video_->frames_per_second() > 0.0 ? video_->frames_per_second() : 30.0);
+    const double length = video_->duration();
+    return video_->frame_at(time - length * std::floor((time + given) / length));
 }
 
 assets::Image PictureFile::read(int frame) {

@@ -1,5 +1,9 @@
 #!/usr/bin/env python3
-"""Makes hills.png, the backdrop of the playback tests of pictures: python3 make_pictures.py"""
+"""Makes hills.png, the backdrop of the playback tests of pictures: python3 make_pictures.py
+
+spin.mp4 is six frames of a model:
+    hachure render ../models/shapes.glb -o spin.mp4 --clip spin --frames 0..5 --fps 10 --size 96x72
+"""
 
 import math
 import struct

