@@ -76,7 +76,7 @@ TEST_F(PictureInput, StylesOfSurfacesAloneAreRefused) {
     write_film(folder, 32, 16, 2, {25, 1});
     for (const char* input : {"photo.png", "film.mp4"})
         for (const char* style : {"gooch", "metal", "toon", "surfaces.json"}) {
-            EXPECT_TRUE(failed(render({input, "-o", "out.png", "--style", style}), 1,
+            EXPECT_TRUE(failed(forked_command({"render", input, "-o", "out.png", "--style", style}, folder.path()), 1,
                                std::string(input) + ": has no surfaces, and style '" + style + "'"));
             EXPECT_FALSE(std::filesystem::exists(folder / "out.png"));
         }
