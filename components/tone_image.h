@@ -34,7 +34,6 @@ struct ToneImage {
     ToneBlur blur = ToneBlur::separable;
     ToneTaps taps = ToneTaps::weighted;
     std::int32_t iterations = 5;
-    std::int32_t polish = 1;
 
     friend bool operator==(const ToneImage&, const ToneImage&) = default;
 };
@@ -54,10 +53,7 @@ inline void reflect(TypeBuilder<ToneImage>& type) {
     type.field("taps", &ToneImage::taps)
         .doc("samples that a parabola is fitted to: 3 x 3, 3 x 3 weighted, 5 x 5")
         .options({"square", "weighted", "wide"});
-    type.field("iterations", &ToneImage::iterations).doc("fits on the way to a line").range(1, 8);
-    type.field("polish", &ToneImage::polish)
-        .doc("further fits, each of a whole step, that make a line's place exact")
-        .range(0, 4);
+    type.field("iterations", &ToneImage::iterations).doc("fits on the way to a line, at most").range(1, 8);
 }
 
 } // namespace hachure

@@ -51,7 +51,7 @@ struct Stroke {
     float strength; // opacity along the line (section 3.3)
     float opacity;  // with its fading across the width
 };
-Stroke no_stroke() { return Stroke(Ridge(false, vec2(0.0), 0.0, vec2(1.0, 0.0)), 0.0, 0.0); }
+Stroke no_stroke() { return Stroke(no_ridge(), 0.0, 0.0); }
 
 // Opacity falls from the middle part of the line to its rim, over a pixel at least; a line narrower than one is fainter.
 float across_width(float away, float width, float fade) {
@@ -66,7 +66,7 @@ Stroke stroke_of(vec2 here, Fit fit, int channel, float width, float drawn_width
     bool dark = curvature > 0.0;
     float wanted = channel == 0 ? (dark ? style.kinds.x : style.kinds.y) : (dark ? style.kinds.w : style.kinds.z);
     vec2 limits = dark ? style.thresholds.xy : style.thresholds.zw;
-    if (wanted <= 0.0 || abs(curvature) < limits.x) return stroke;
+    if (wanted <= 0.0 || abs(curvature) < rim_part * limits.x) return stroke;
     stroke.ridge = follow(here, fit, channel, width, style.color.w, limits.x);
     if (!stroke.ridge.found) return stroke;
     // Counterchange: dark lines are lighter where the tone is light, highlight lines where it is dark.
@@ -81,7 +81,7 @@ Stroke stroke_of(vec2 here, Fit fit, int channel, float width, float drawn_width
 void write_strokes(Stroke diffuse, Stroke specular, float width, uint owner, vec2 tone, ToneLineStyle style) {
     Ridge a = diffuse.ridge, b = specular.ridge;
     out_distance = vec2(a.found ? length(a.offset) : 1e10, b.found ? length(b.offset) : 1e10);
-    out_curvature = vec2(a.curvature, b.curvature);
+    out_curvature = vec2(a.found ? a.curvature : 0.0, b.found ? b.curvature : 0.0);
     float dark = 0.0, light = 0.0;
     if (a.curvature > 0.0) dark = diffuse.opacity; else light = diffuse.opacity;
     if (b.curvature > 0.0) dark = max(dark, specular.opacity); else light = max(light, specular.opacity);
@@ -130,7 +130,7 @@ void main() {
 #endif
     // Before anything is divided: flat tones and ramps end here.
     vec2 curvature = abs(larger_eigenvalues(fit));
-    if (!(max(curvature.x, curvature.y) >= least_curvature)) discard;
+    if (!(max(curvature.x, curvature.y) >= rim_part * least_curvature)) discard;
 #ifdef UNIFORM_STYLE
     ToneLineStyle style = only_style;
     uint owner = 1u;

@@ -23,7 +23,6 @@ gpu::ProgramSource program_source(const LineFindJob& job) {
     const auto define = [&](const char* name, const std::string& value) { source.defines.push_back({name, value}); };
     define("TAPS", std::to_string(static_cast<int>(job.quality.taps)));
     define("ITERATIONS", std::to_string(job.quality.iterations));
-    define("POLISH", std::to_string(job.quality.polish));
     if (const auto spacing = whole_spacing(job)) define("WHOLE_SPACING", std::to_string(*spacing));
     if (job.levels.size() > 1) define("STACK", "");
     if (job.object_ids == 0) define("UNIFORM_STYLE", "");
@@ -74,6 +73,8 @@ void LineFinder::run(RenderContext& render, const LineFindJob& job) {
                 .blend = job.output == LineOutput::layer ? gpu::Blend::premultiplied : gpu::Blend::off});
     if (job.object_ids) render.backend->texture(job.object_ids).bind(2);
     program.use();
+    if (linear_.name() == 0) linear_ = gpu::Sampler(gpu::Sampling{}, "tones between texels");
+    for (const GLuint unit : {0u, 1u}) linear_.bind(unit);
     const std::size_t passes = std::max<std::size_t>(1, job.levels.size() - 1);
     for (std::size_t i = 0; i < passes; ++i) {
         render.backend->texture(job.levels[i].texture).bind(0);
@@ -84,6 +85,7 @@ void LineFinder::run(RenderContext& render, const LineFindJob& job) {
         }
         render.full_screen.draw();
     }
+    for (const GLuint unit : {0u, 1u}) gpu::Sampler::unbind(unit);
 }
 
 } // namespace hachure

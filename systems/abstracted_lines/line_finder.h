@@ -3,6 +3,7 @@
 #include <hachure/components/tone_image.h>
 #include <hachure/runtime/gpu/buffer.h>
 #include <hachure/runtime/gpu/framebuffer.h>
+#include <hachure/runtime/gpu/sampler.h>
 #include <hachure/systems/abstracted_lines/tone_line_style.h>
 
 #include <cstdint>
@@ -30,7 +31,7 @@ enum class LineOutput {
 
 /// Finds lines in a tone image: by every pixel for itself, a search for the ridge or valley beside it.
 struct LineFindJob {
-    ToneImage quality;                     ///< resolved: taps, iterations, polish
+    ToneImage quality;                     ///< resolved: taps, iterations
     std::span<const ToneLevel> levels;     ///< one, or where widths vary several, ascending
     std::uint32_t widths = 0;              ///< with several: blue width times coverage, alpha coverage
     std::uint32_t object_ids = 0;          ///< 0: every pixel has lines, of the first style
@@ -49,6 +50,7 @@ public:
 
 private:
     void upload(const LineFindJob& job);
+    gpu::Sampler linear_; ///< the frame graph's textures are read without a filter by themselves
     gpu::Buffer buffer_;
     bool uniform_ = false; ///< what the buffer is for
 };

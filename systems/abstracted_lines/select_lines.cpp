@@ -31,10 +31,10 @@ bool wants_whole_view(const FrameRequests& requests) {
 } // namespace
 
 void SelectToneLines::warn_of_thin_lines(Entity entity, float width) {
-    if (width >= steady_width || !warned_.insert(entity).second) return;
-    log_warning(fmt::format("abstracted_lines: lines {:.2g} pixels wide are unsteady where tones are noisy, and faint "
-                            "below {:.2g}; from {:.2g} on they are not",
-                            width, narrowest_search, steady_width));
+    if (width >= narrowest_search || !warned_.insert(entity).second) return;
+    log_warning(fmt::format("abstracted_lines: lines {:.2g} px wide are found as lines of {:.2g} px are, and drawn "
+                            "thinner: what lies closer together is one line",
+                            width, narrowest_search));
 }
 
 void SelectToneLines::add(const DrawItem& item, const AbstractedLines& lines, const View& view, ToneLineFrame& frame) {

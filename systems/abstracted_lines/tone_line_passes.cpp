@@ -66,7 +66,6 @@ std::uint64_t styles_key(const ToneLineFrame& frame) {
     key.add(quality.blur);
     key.add(quality.taps);
     key.add(quality.iterations);
-    key.add(quality.polish);
     key.add(frame.narrowest);
     key.add(frame.widest);
     key.add(frame.uniform);

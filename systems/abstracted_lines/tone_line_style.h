@@ -19,11 +19,10 @@ struct ToneLineStyle {
     friend bool operator==(const ToneLineStyle&, const ToneLineStyle&) = default;
 };
 
-/// Widths are searched for from this on, px: below, the picture's own pixels are larger than what is looked for.
-/// Thinner lines are found as lines of this width, drawn thinner, and fade.
-inline constexpr float narrowest_search = 2.0f;
-/// Lines under this many pixels are warned of: the noise of a tone image moves them, by 2.83 noise / w^2 of the fit.
-inline constexpr float steady_width = 3.0f;
+/// Lines are searched for as if they were at least this wide, px: below, the picture's own pixels are larger than what
+/// is looked for, bilinear samples move lines by .02 px, and noise moves them by pixels. Thinner lines are drawn
+/// thinner.
+inline constexpr float narrowest_search = 3.0f;
 inline constexpr float widest_line = 64.0f; ///< px
 
 /// Of a line where nothing makes it thinner, px.

@@ -11,10 +11,10 @@ ToneImage resolved(const ToneImage& wanted) {
         made = {};
         break;
     case ToneQuality::fast:
-        made = {.taps = ToneTaps::square, .iterations = 3, .polish = 0};
+        made = {.taps = ToneTaps::square, .iterations = 3};
         break;
     case ToneQuality::accurate:
-        made = {.samples = 4, .taps = ToneTaps::wide, .iterations = 5, .polish = 2};
+        made = {.samples = 4, .taps = ToneTaps::wide, .iterations = 5};
         break;
     }
     made.quality = ToneQuality::custom;

@@ -1,0 +1,148 @@
+#version 450 core
+// Lines along ridges and valleys of the blurred tone image (Lee et al. 2007, section 3). What the pixel finds becomes
+// its colour, or with MAPS and POINTS numbers for others. Where there is no line nothing is written.
+#include "common/constants.glsl"
+
+layout(binding = 0) uniform sampler2D tones; // red: diffuse, green: specular; blurred by half a line's width
+#ifdef STACK
+// Widths vary: the next wider blur, and where widths are: blue: width times coverage, alpha: coverage, blurred widely.
+layout(binding = 1) uniform sampler2D wider_tones;
+layout(binding = 3) uniform sampler2D widths;
+uniform vec2 level_widths; // px, that the two images are blurred for
+uniform bool first_level, last_level; // of the stack
+float wider_part;
+#endif
+
+uniform float search_width;    // px, where widths don't vary: what lines are searched for as
+uniform float least_curvature; // below it nobody draws a line
+uniform vec2 texel_size;       // 1 / size of the images
+
+vec2 tone_at(vec2 place) {
+    vec2 tone = textureLod(tones, place * texel_size, 0.0).rg;
+#ifdef STACK
+    tone = mix(tone, textureLod(wider_tones, place * texel_size, 0.0).rg, wider_part);
+#endif
+    return tone;
+}
+
+vec2 texel_at(ivec2 texel) { return texelFetch(tones, clamp(texel, ivec2(0), textureSize(tones, 0) - 1), 0).rg; }
+
+#include "abstracted_lines/fit.glsl"
+#include "abstracted_lines/search.glsl"
+#include "abstracted_lines/style.glsl"
+
+#if defined(MAPS)
+layout(location = 0) out vec2 out_distance;
+layout(location = 1) out vec2 out_curvature;
+layout(location = 2) out vec2 out_opacity;
+#elif defined(POINTS)
+layout(location = 0) out vec4 out_points;
+layout(location = 1) out vec4 out_directions;
+layout(location = 2) out vec4 out_specular_points;
+layout(location = 3) out vec4 out_specular_directions;
+layout(location = 4) out uint out_owner;
+#else
+layout(location = 0) out vec4 out_line;
+#endif
+
+// What the pixel draws.
+struct Stroke {
+    Ridge ridge;
+    float strength; // opacity along the line (section 3.3)
+    float opacity;  // with its fading across the width
+};
+Stroke no_stroke() { return Stroke(no_ridge(), 0.0, 0.0); }
+
+// Opacity falls from the middle part of the line to its rim, over a pixel at least; a line narrower than one is fainter.
+float across_width(float away, float width, float fade) {
+    float ramp = max(0.5 * fade * width, 1.0);
+    float rim = 0.5 * width + 0.5 * max(1.0 - 0.5 * fade * width, 0.0);
+    return clamp((rim - away) / ramp, 0.0, min(1.0, width));
+}
+
+Stroke stroke_of(vec2 here, Fit fit, int channel, float width, float drawn_width, ToneLineStyle style) {
+    Stroke stroke = no_stroke();
+    float curvature = larger_eigenvalue(fit.xx[channel], fit.xy[channel], fit.yy[channel]);
+    bool dark = curvature > 0.0;
+    float wanted = channel == 0 ? (dark ? style.kinds.x : style.kinds.y) : (dark ? style.kinds.w : style.kinds.z);
+    vec2 limits = dark ? style.thresholds.xy : style.thresholds.zw;
+    if (wanted <= 0.0 || abs(curvature) < rim_part * limits.x) return stroke;
+    stroke.ridge = follow(here, fit, channel, width, style.color.w, limits.x);
+    if (!stroke.ridge.found) return stroke;
+    // Counterchange: dark lines are lighter where the tone is light, highlight lines where it is dark.
+    float tone = clamp(fit.tone[0], 0.0, 1.0);
+    float against = mix(1.0, dark ? 1.0 - tone : tone, style.line.z);
+    stroke.strength = clamp((abs(stroke.ridge.curvature) - limits.x) / (limits.y - limits.x), 0.0, 1.0) * against;
+    stroke.opacity = stroke.strength * across_width(length(stroke.ridge.offset), drawn_width, style.highlight_color.w);
+    return stroke;
+}
+
+#if defined(MAPS)
+void write_strokes(Stroke diffuse, Stroke specular, float width, uint owner, vec2 tone, ToneLineStyle style) {
+    Ridge a = diffuse.ridge, b = specular.ridge;
+    out_distance = vec2(a.found ? length(a.offset) : 1e10, b.found ? length(b.offset) : 1e10);
+    out_curvature = vec2(a.found ? a.curvature : 0.0, b.found ? b.curvature : 0.0);
+    float dark = 0.0, light = 0.0;
+    if (a.curvature > 0.0) dark = diffuse.opacity; else light = diffuse.opacity;
+    if (b.curvature > 0.0) dark = max(dark, specular.opacity); else light = max(light, specular.opacity);
+    out_opacity = vec2(dark, light);
+}
+#elif defined(POINTS)
+void write_strokes(Stroke diffuse, Stroke specular, float width, uint owner, vec2 tone, ToneLineStyle style) {
+    Ridge a = diffuse.ridge, b = specular.ridge;
+    out_points = vec4(a.offset, a.curvature, diffuse.strength);
+    out_directions = vec4(-a.across.y, a.across.x, width, tone.x);
+    out_specular_points = vec4(b.offset, b.curvature, specular.strength);
+    out_specular_directions = vec4(-b.across.y, b.across.x, width, tone.y);
+    out_owner = owner;
+}
+#else
+vec4 laid_over(vec4 below, Stroke stroke, ToneLineStyle style) {
+    float opacity = stroke.opacity;
+    vec3 color = stroke.ridge.curvature > 0.0 ? style.color.rgb : style.highlight_color.rgb;
+    return vec4(color * opacity, opacity) + below * (1.0 - opacity);
+}
+
+void write_strokes(Stroke diffuse, Stroke specular, float width, uint owner, vec2 tone, ToneLineStyle style) {
+    if (style.line.y <= 0.0) discard;
+    out_line = laid_over(laid_over(vec4(0.0), diffuse, style), specular, style);
+}
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec2 here = gl_FragCoord.xy;
+#ifdef STACK
+    vec2 found = texelFetch(widths, pixel, 0).ba;
+    if (found.y < 1e-3) discard;
+    float width = found.x / found.y;
+    if ((width < level_widths.x && !first_level) || (width >= level_widths.y && !last_level)) discard;
+    float search = clamp(width, level_widths.x, level_widths.y);
+    wider_part = (search * search - level_widths.x * level_widths.x) /
+                 (level_widths.y * level_widths.y - level_widths.x * level_widths.x);
+#else
+    float search = search_width;
+#endif
+#ifdef WHOLE_SPACING
+    Fit fit = fit_here(pixel);
+#else
+    Fit fit = fit_at(here, 0.5 * search);
+#endif
+    // Before anything is divided: flat tones and ramps end here.
+    vec2 curvature = abs(larger_eigenvalues(fit));
+    if (!(max(curvature.x, curvature.y) >= rim_part * least_curvature)) discard;
+#ifdef UNIFORM_STYLE
+    ToneLineStyle style = only_style;
+    uint owner = 1u;
+#else
+    uint owner = owner_of(pixel);
+    if (owner == 0u) discard;
+    ToneLineStyle style = styles[owner];
+#endif
+#ifndef STACK
+    float width = style.line.x; // one below the narrowest that is searched for is drawn thinner
+#endif
+    Stroke diffuse = stroke_of(here, fit, 0, search, width, style);
+    Stroke specular = stroke_of(here, fit, 1, search, width, style);
+    write_strokes(diffuse, specular, width, owner, fit.tone, style);
+}
