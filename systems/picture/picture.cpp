@@ -55,7 +55,7 @@ void register_picture(App& app) {
     app.add_component<Picture>();
     app.add_component<PictureCoat>();
     app.world().set_resource(PictureFiles{});
-    app.world().set_resource(PictureList{});
+    if (!app.world().find_resource<PictureList>()) app.world().set_resource(PictureList{});
     if (!app.world().find_resource<DrawList>()) app.world().set_resource(DrawList{});
     frame_requests(app.world())
         .known.push_back({"picture_tone",
