@@ -1,8 +1,12 @@
+#include <hachure/components/name.h>
+#include <hachure/components/picture.h>
 #include <hachure/components/scene.h>
 #include <hachure/editor/load_model.h>
 #include <hachure/editor/open_input.h>
 #include <hachure/runtime/app/log.h>
+#include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/assets/read_model.h>
+#include <hachure/runtime/assets/video_file.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/light/light.h>
@@ -17,6 +21,7 @@ namespace hachure {
 namespace {
 
 constexpr const char* fallback_style = "gooch";
+const std::string picture_style = "lines";
 
 /// The style that is asked for, else that of the file, else the fallback; with its name or path.
 std::pair<std::string, Style> style_for(const App& app, const std::filesystem::path& input, const std::string& asked,
@@ -61,11 +66,46 @@ void open_scene(App& app, const std::filesystem::path& input, Canvas canvas, con
     }
 }
 
+/// An image or a video is one entity, with the name of its file.
+void open_picture(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
+    if (options.clip && !options.clip->empty())
+        throw Error(input.string(), "is a picture, which has no clips: --clip is for models");
+    const std::string name = options.style.empty() ? picture_style : options.style;
+    const Style style = find_style(app.types(), name);
+    if (style.picture.empty())
+        throw Error(input.string(), "has no surfaces, and style '" + name + "' says nothing of pictures: " +
+                                        picture_style + " does, or a preset with a \"picture\" section");
+    static_cast<void>(picture_size(input)); // a file without a header that can be read ends here
+    World& world = app.world();
+    world.set_resource(canvas);
+    world.create_with(Name{input.stem().string()}, Transform{}, Picture{.file = input.string()});
+    world.create_with(Name{"camera"}, Transform{}, Camera{}, Unsaved{});
+    apply_style(world, app.types(), style);
+    world.set_resource(SceneDocument{.style = name, .applied_style = name});
+    set_scene_spawner(app, input, style);
+}
+
 } // namespace
+
+bool is_picture_name(const std::filesystem::path& input) {
+    const assets::InputKind kind = assets::input_kind(input);
+    return kind == assets::InputKind::image || kind == assets::InputKind::video;
+}
+
+Canvas picture_size(const std::filesystem::path& input) {
+    if (assets::is_video_name(input)) {
+        const assets::VideoFile video(input);
+        return {video.width(), video.height()};
+    }
+    const assets::ImageSize size = assets::read_upright_size(input);
+    return {size.width, size.height};
+}
 
 void open_input(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
     if (is_scene_name(input))
         open_scene(app, input, canvas, options);
+    else if (is_picture_name(input))
+        open_picture(app, input, canvas, options);
     else
         open_model(app, input, canvas, options);
 }

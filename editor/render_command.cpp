@@ -12,7 +12,7 @@
 #include <hachure/editor/render_outputs.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/app/progress.h>
-#include <hachure/runtime/assets/read_model.h>
+#include <hachure/runtime/assets/video_file.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/parallel.h>
@@ -65,10 +65,23 @@ void check_style_name(const std::string& name) {
     throw UsageError("--style: there is no style '" + name + "'; there are " + known + "or a preset FILE.json");
 }
 
-void check_input(const RenderOptions& options) {
-    const assets::InputKind kind = assets::input_kind(options.input);
-    if (kind == assets::InputKind::image || kind == assets::InputKind::video)
-        throw Error(options.input.string(), "styles draw models and scenes; an image or a video has no surfaces");
+/// An image or a video keeps its size, unless another is asked for.
+Canvas canvas_for(const RenderOptions& options) {
+    if (!options.size.empty()) return parse_size(options.size);
+    if (!is_picture_name(options.input)) return {};
+    const Canvas canvas = picture_size(options.input);
+    if (canvas.width > max_side || canvas.height > max_side)
+        throw Error(options.input.string(), fmt::format("has {}x{} pixels, at most {} a side can be drawn: use --size",
+                                                        canvas.width, canvas.height, max_side));
+    return canvas;
+}
+
+/// A video's frames come at its own rate, unless another is asked for.
+FramePlan plan_for(const RenderOptions& options) {
+    FramePlan plan = parse_frame_plan(options.frames, options.time, options.fps.empty() ? "30" : options.fps);
+    if (options.fps.empty() && assets::is_video_name(options.input))
+        plan.rate = assets::VideoFile(options.input).frame_rate().value_or(plan.rate);
+    return plan;
 }
 
 gpu::ContextOptions context_options(gpu::Backend backend, Canvas canvas) {
@@ -81,10 +94,11 @@ gpu::ContextOptions context_options(gpu::Backend backend, Canvas canvas) {
     return options;
 }
 
-void check_size(Canvas canvas, const gpu::Context& context) {
+void check_size(const RenderOptions& options, Canvas canvas, const gpu::Context& context) {
     const int limit = context.limits().max_texture_size;
     if (canvas.width > limit || canvas.height > limit)
-        throw Error("--size", "this driver draws at most " + std::to_string(limit) + " pixels a side");
+        throw Error(options.size.empty() ? options.input.string() : "--size",
+                    "this driver draws at most " + std::to_string(limit) + " pixels a side");
 }
 
 /// A whole scene, ready to be drawn.
@@ -165,8 +179,11 @@ void draw_frames(App& app, Renderer& renderer, const Work& work, const RenderOut
 
 void add_render_command(CLI::App& app, RenderOptions& options) {
     CLI::App* command =
-        app.add_subcommand("render", "Render a scene or a model in a style to a picture, pictures or a film");
-    command->add_option("INPUT", options.input, "a scene (.scene.json), or a glTF, GLB, OBJ, PLY, OFF or STL file")
+        app.add_subcommand("render", "Render a scene, a model, an image or a video in a style to a picture, "
+                                     "pictures or a film");
+    command
+        ->add_option("INPUT", options.input,
+                     "a scene (.scene.json), a glTF, GLB, OBJ, PLY, OFF or STL file, an image or a video")
         ->required();
     command
         ->add_option("-o,--output", options.output,
@@ -175,16 +192,17 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
         ->required();
     command->add_option("--style", options.style,
                         "a style (see `hachure list styles`) or a preset FILE.json "
-                        "(default: the scene's own, else gooch)");
-    command->add_option("--size", options.size, "WIDTHxHEIGHT of the picture, pixels")->capture_default_str();
+                        "(default: the scene's own, else gooch; lines for an image or a video)");
+    command->add_option("--size", options.size,
+                        "WIDTHxHEIGHT of the picture, pixels (default: that of an image or a video, else 1024x768)");
     command->add_option("--backend", options.backend, "where the OpenGL context comes from: auto, egl, osmesa, glfw")
         ->capture_default_str();
     CLI::Option* frames = command->add_option(
         "--frames", options.frames, "A..B: draw these frames, both included, or one: A; frame k shows second k / fps");
     command->add_option("--time", options.time, "S: draw the picture of second S (default: 0)")->excludes(frames);
-    command
-        ->add_option("--fps", options.fps, "frames per second, 1 to 1000: 25, 29.97, 30000/1001; a .gif's at most 50")
-        ->capture_default_str();
+    command->add_option("--fps", options.fps,
+                        "frames per second, 1 to 1000: 25, 29.97, 30000/1001; a .gif's at most 50 (default: that of a "
+                        "video, else 30)");
     command->add_option("--clip", options.clip,
                         "NAME: the clip of the file that plays (default with --frames or --time: its first)");
     command
@@ -207,14 +225,15 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
         ->check(CLI::Range(1, max_threads));
     command->footer("Examples: hachure render bunny.obj -o bunny.png --style gooch --set gooch.b=0.55 --size 1024x768\n"
                     "          hachure render fox.glb -o fox.mp4 --frames 0..119 --fps 30\n"
+                    "          hachure render photo.jpg -o photo.png --style lines\n"
                     "          hachure render fox.glb -o fox.####.png --frames 0..119 --aov depth=depth.####.exr\n"
                     "          hachure render fox.glb -o fox.####.png --frames 0..119 --chunk 2/4 --resume");
 }
 
 int run_render(const RenderOptions& options) {
-    const Canvas canvas = parse_size(options.size);
+    if (!options.size.empty()) static_cast<void>(parse_size(options.size)); // wrong usage comes before wrong files
     const gpu::Backend backend = parse_backend(options.backend);
-    const FramePlan plan = parse_frame_plan(options.frames, options.time, options.fps);
+    const FramePlan plan = plan_for(options);
     const RenderOutputs outputs{options.output, parse_aovs(options.aovs), options.stats};
     if (options.threads > 0) set_thread_limit(options.threads);
     std::unique_ptr<gpu::Context> context; // outlives the app, whose world owns GPU objects
@@ -228,7 +247,7 @@ int run_render(const RenderOptions& options) {
     check_outputs(app, outputs, plan);
     if (!options.chunk.empty()) check_sequence("--chunk", outputs, plan);
     if (options.resume) check_sequence("--resume", outputs, plan);
-    check_input(options);
+    const Canvas canvas = canvas_for(options);
     const std::optional<Work> work = find_work(app, options, plan, outputs, canvas);
     if (!work) return 0;
 
@@ -236,7 +255,7 @@ int run_render(const RenderOptions& options) {
     load_scene(app, options, assignments, canvas);
     progress.stage("preparing");
     context = gpu::make_context(context_options(backend, canvas));
-    check_size(canvas, *context);
+    check_size(options, canvas, *context);
     Renderer renderer(app, *context);
     draw_frames(app, renderer, *work, outputs, progress);
     return 0;

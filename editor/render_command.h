@@ -15,14 +15,14 @@ struct RenderOptions {
     std::filesystem::path input;
     std::filesystem::path output;
     std::string style; ///< empty: the scene's own, else gooch
-    std::string size = "1024x768";
+    std::string size;  ///< WIDTHxHEIGHT; empty: that of an image or a video, else 1024x768
     std::string backend = "auto";
     std::vector<std::string> aovs; ///< NAME=FILE.exr
     std::vector<std::string> sets; ///< PATH=VALUE
     std::filesystem::path stats;
     std::string frames; ///< A..B or A; empty: frame 0
     std::string time;   ///< seconds; empty: as the frames say
-    std::string fps = "30";
+    std::string fps;    ///< empty: that of a video, else 30
     std::string clip;
     std::string chunk;   ///< I/N; empty: all frames
     bool resume = false; ///< keep the frames of a sequence that are there

@@ -11,6 +11,7 @@
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/metal/metal.h>
+#include <hachure/systems/picture/picture.h>
 #include <hachure/systems/scene/scene.h>
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
@@ -33,6 +34,7 @@ void register_capabilities(App& app) {
     register_camera(app);
     register_light(app);
     register_surface(app);
+    register_picture(app);
     register_gooch(app);
     register_metal(app);
     register_toon(app);

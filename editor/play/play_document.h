@@ -21,7 +21,7 @@ struct PlayDocument {
     std::filesystem::path file;    ///< the .play.json
     std::filesystem::path folder;  ///< of it: what paths in it are relative to
     std::string doc;               ///< one line; may be empty
-    std::filesystem::path scene;   ///< a scene or a model
+    std::filesystem::path scene;   ///< a scene, a model, an image or a video
     std::string style;             ///< a name or a preset file; empty for the scene's own, else gooch
     std::vector<std::string> sets; ///< PATH=VALUE
     assets::FrameRate fps{60, 1};

@@ -38,11 +38,15 @@ OIIO::ImageSpec keep_colors() {
     return config;
 }
 
-Image decode(OIIO::ImageInput& input, const std::string& name) {
-    const OIIO::ImageSpec& spec = input.spec();
+void check_shape(const OIIO::ImageSpec& spec, const std::string& name) {
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw Error(name, "is not an image: it has no pixels");
     if (std::int64_t{spec.width} * spec.height > max_image_pixels || spec.depth > 1)
         throw Error(name, "is too large: " + std::to_string(spec.width) + "x" + std::to_string(spec.height));
+}
+
+Image decode(OIIO::ImageInput& input, const std::string& name) {
+    const OIIO::ImageSpec& spec = input.spec();
+    check_shape(spec, name);
     const bool is_float = spec.format.is_floating_point();
     const int channels = std::min(spec.nchannels, 4);
     Image image = make_image(spec.width, spec.height, channels, is_float ? PixelType::f32 : PixelType::u8);
@@ -50,6 +54,46 @@ Image decode(OIIO::ImageInput& input, const std::string& name) {
     if (!input.read_image(0, 0, 0, channels, type, image.pixels.data()))
         throw Error(name, "can't be decoded: " + fault_of(input.geterror(), name));
     return image;
+}
+
+void check_file(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) throw Error(path.string(), "is not a file that can be read");
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const std::string& name) {
+    const OIIO::ImageSpec config = keep_colors();
+    auto input = OIIO::ImageInput::open(name, &config);
+    if (!input) throw Error(name, fault_of(OIIO::geterror(), name));
+    return input;
+}
+
+/// Exif's: 1 upright; 3 upside down; 2 and 4 mirrored; 5 to 8 on its side.
+int orientation_of(const OIIO::ImageSpec& spec) {
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    return orientation >= 1 && orientation <= 8 ? orientation : 1;
+}
+
+bool lies_on_its_side(int orientation) { return orientation >= 5; }
+
+Image turned(Image image, int orientation) {
+    if (orientation == 1) return image;
+    const bool side = lies_on_its_side(orientation);
+    // Of the stored image, in the order of Exif's numbers: whether the last column and the last row are seen first.
+    const bool right = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+    const bool below = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    Image result = side ? make_image(image.height, image.width, image.channels, image.type)
+                        : make_image(image.width, image.height, image.channels, image.type);
+    const std::size_t bytes = static_cast<std::size_t>(image.channels) * image.bytes_per_channel();
+    std::byte* out = result.pixels.data();
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x, out += bytes) {
+            const int column = side ? y : x, row = side ? x : y;
+            const auto from = static_cast<std::size_t>(below ? image.height - 1 - row : row) * image.row_bytes() +
+                              static_cast<std::size_t>(right ? image.width - 1 - column : column) * bytes;
+            std::copy_n(image.pixels.data() + from, bytes, out);
+        }
+    return result;
 }
 
 bool starts_as_png(const std::filesystem::path& path) {
@@ -77,13 +121,25 @@ std::vector<std::byte> encode(const char* format, const OIIO::ImageSpec& spec, c
 
 Image read_image(const std::filesystem::path& path) {
     const std::string name = path.string();
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) throw Error(name, "is not a file that can be read");
+    check_file(path);
     if (starts_as_png(path)) return read_image_memory(name, read_file_bytes(path));
-    const OIIO::ImageSpec config = keep_colors();
-    const auto input = OIIO::ImageInput::open(name, &config);
-    if (!input) throw Error(name, fault_of(OIIO::geterror(), name));
-    return decode(*input, name);
+    return decode(*open(name), name);
+}
+
+Image read_upright_image(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    check_file(path);
+    const int orientation = orientation_of(open(name)->spec());
+    return turned(read_image(path), orientation);
+}
+
+ImageSize read_upright_size(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    check_file(path);
+    const auto input = open(name);
+    check_shape(input->spec(), name);
+    const ImageSize size{input->spec().width, input->spec().height};
+    return lies_on_its_side(orientation_of(input->spec())) ? ImageSize{size.height, size.width} : size;
 }
 
 Image read_image_memory(std::string_view name, std::span<const std::byte> bytes) {

@@ -21,6 +21,16 @@ inline constexpr std::int64_t max_image_pixels = std::int64_t{1} << 27;
 /// The same from bytes in memory; `name` is used in errors and its extension, when it has one, as a hint.
 [[nodiscard]] Image read_image_memory(std::string_view name, std::span<const std::byte> bytes);
 
+struct ImageSize {
+    int width = 0, height = 0; ///< pixels, >= 1
+};
+
+/// The same, turned as its metadata say that it is to be seen (Exif's orientation): for photographs, not for textures.
+[[nodiscard]] Image read_upright_image(const std::filesystem::path& path);
+
+/// The size of the image that `read_upright_image` would read, from its header alone. Throws Error when there is none.
+[[nodiscard]] ImageSize read_upright_size(const std::filesystem::path& path);
+
 /// An 8-bit PNG. `image` is u8 with 1 to 4 channels, sRGB-encoded, not multiplied by alpha. The file appears whole or
 /// not at all.
 void write_png(const std::filesystem::path& path, const Image& image);

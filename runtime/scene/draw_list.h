@@ -34,15 +34,22 @@ struct DrawItem {
     glm::mat4 world_from_entity{1.0f};
     glm::mat3 world_from_normal{1.0f}; ///< inverse transpose of the above
     glm::vec3 tint{1.0f};
-    std::uint32_t object_id = 0; ///< AOV `object_id`: 1 for the entity made first, and so on
+    std::uint32_t object_id = 0; ///< AOV `object_id`: 1 for the visible entity made first, and so on
     gpu::Rect rect;              ///< pixels that it can touch, cut to the view
     bool mirrored = false;       ///< the transform turns front faces round
+};
+
+/// A visible entity with a Picture (components/picture.h), which is drawn behind all items.
+struct DrawPicture {
+    Entity entity;
+    std::uint32_t object_id = 0; ///< numbered along with the surfaces
 };
 
 /// What this frame's view sees, in the order of object ids. A resource: systems/surface fills it in stage `material`
 /// ("surface.collect").
 struct DrawList {
     std::vector<DrawItem> items;
+    std::vector<DrawPicture> pictures;
     std::uint64_t key = 0; ///< changes whenever an item or the view does: what a pass that draws them depends on
 };
 

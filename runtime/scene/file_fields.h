@@ -9,11 +9,12 @@
 /// them.
 namespace hachure {
 
-/// A text whose unit is "file", or "image file" for a picture.
+/// A text whose unit is "file", "image file", or "image or video file".
 [[nodiscard]] bool is_file_field(const FieldInfo& field);
 
 /// What is wrong with the file that such a field names, with its name, as far as it can be told without what uses it:
-/// a picture must be one that can be read. Empty when nothing is, and for any other file.
+/// an image must be one that can be read, a video one whose first frame can. Empty when nothing is, and for any other
+/// file.
 [[nodiscard]] std::string file_fault(const FieldInfo& field, const std::filesystem::path& file);
 
 } // namespace hachure

@@ -15,6 +15,13 @@ namespace hachure {
     return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
+/// What two rectangles share; without an area where they share nothing.
+[[nodiscard]] inline gpu::Rect common(const gpu::Rect& a, const gpu::Rect& b) {
+    const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+    return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),
+            std::max(0, std::min(a.y + a.height, b.y + b.height) - y)};
+}
+
 /// A rectangle with `margin` pixels more on every side, cut to the view.
 [[nodiscard]] inline gpu::Rect grown(const gpu::Rect& rect, int margin, const View& view) {
     const int x = std::max(0, rect.x - margin), y = std::max(0, rect.y - margin);

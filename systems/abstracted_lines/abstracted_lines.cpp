@@ -31,21 +31,26 @@ void register_abstracted_lines(App& app) {
     app.add_component<ToneImage>();
     app.world().set_resource(ToneLineFrame{});
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
+    if (!app.world().find_resource<PictureList>()) app.world().set_resource(PictureList{});
     add_aovs(frame_requests(app.world()).known);
-    app.add_system(Stage::material, "abstracted_lines.select",
-                   [select = std::make_shared<SelectToneLines>()](
-                       Query<const AbstractedLines> styled, Query<const ToneImage> qualities, const DrawList& list,
-                       const View& view, FrameRequests& requests, ToneLineFrame& frame,
-                       LineLayer& layer) { (*select)(styled, qualities, list, view, requests, frame, layer); })
+    app.add_system(
+           Stage::material, "abstracted_lines.select",
+           [select = std::make_shared<SelectToneLines>()](
+               Query<const AbstractedLines> styled, Query<const ToneImage> qualities, const DrawList& list,
+               const PictureList& pictures, const View& view, FrameRequests& requests, ToneLineFrame& frame,
+               LineLayer& layer) { (*select)(styled, qualities, list, pictures, view, requests, frame, layer); })
         .after("surface.collect")
+        .after("picture.collect")
         .after("edge_lines.select");
     app.add_system(Stage::render, "abstracted_lines.pass",
                    [passes = std::make_shared<ToneLinePasses>()](World& world) { passes->declare(world); })
         .after("surface.passes")
+        .after("picture.pass")
         .after("gooch.pass")
         .after("metal.pass")
         .after("toon.pass")
-        .after("edge_lines.pass");
+        .after("edge_lines.pass")
+        .before("velocity.pass");
 }
 
 } // namespace hachure

@@ -37,22 +37,37 @@ void SelectToneLines::warn_of_thin_lines(Entity entity, float width) {
                             width, narrowest_search));
 }
 
-void SelectToneLines::add(const DrawItem& item, const AbstractedLines& lines, const View& view, ToneLineFrame& frame) {
+void SelectToneLines::add(Entity entity, std::uint32_t object_id, const gpu::Rect& rect, const AbstractedLines& lines,
+                          const View& view, ToneLineFrame& frame) {
     const float full = full_width(lines, view), least = least_width(lines, view);
-    warn_of_thin_lines(item.entity, full);
-    if (frame.styles.size() <= item.object_id) frame.styles.resize(item.object_id + 1);
-    frame.styles[item.object_id] = line_style(lines, view);
+    warn_of_thin_lines(entity, full);
+    if (frame.styles.size() <= object_id) frame.styles.resize(object_id + 1);
+    frame.styles[object_id] = line_style(lines, view);
     const float narrowest = std::max(least, narrowest_search), widest = std::max(full, narrowest_search);
     frame.narrowest = frame.widest > 0.0f ? std::min(frame.narrowest, narrowest) : narrowest;
     frame.widest = std::max(frame.widest, widest);
     frame.least_curvature = std::min(frame.least_curvature, least_curvature(lines));
     (lines.method == ToneLineMethod::pixels ? frame.pixels : frame.strokes) = true;
-    frame.rects.lines = united(frame.rects.lines, item.rect);
+    frame.rects.lines = united(frame.rects.lines, rect);
+}
+
+/// Nothing makes a picture's lines thinner in places: it has no depth, no edges and no vertices.
+void SelectToneLines::add_pictures(const Query<const AbstractedLines>& styled, const PictureList& pictures,
+                                   const View& view, ToneLineFrame& frame) {
+    for (const PictureItem& item : pictures.items) {
+        const auto found = styled.find(item.entity);
+        if (!found) continue;
+        AbstractedLines lines = std::get<const AbstractedLines&>(*found);
+        if (!draws_anything(lines)) continue;
+        lines.width_by = LineAbstraction::constant;
+        add(item.entity, item.object_id, item.rect, lines, view, frame);
+        frame.pictures = true;
+    }
 }
 
 void SelectToneLines::operator()(Query<const AbstractedLines> styled, Query<const ToneImage> qualities,
-                                 const DrawList& list, const View& view, FrameRequests& requests, ToneLineFrame& frame,
-                                 LineLayer& layer) {
+                                 const DrawList& list, const PictureList& pictures, const View& view,
+                                 FrameRequests& requests, ToneLineFrame& frame, LineLayer& layer) {
     const auto quality = qualities.find(view.camera);
     frame = {.quality = resolved(quality ? std::get<const ToneImage&>(*quality) : ToneImage{})};
     bool all = true;
@@ -60,18 +75,20 @@ void SelectToneLines::operator()(Query<const AbstractedLines> styled, Query<cons
         const auto found = styled.find(item.entity);
         const AbstractedLines* lines = found ? &std::get<const AbstractedLines&>(*found) : nullptr;
         if (lines && draws_anything(*lines))
-            add(item, *lines, view, frame);
+            add(item.entity, item.object_id, item.rect, *lines, view, frame);
         else
             all = false;
     }
+    add_pictures(styled, pictures, view, frame);
     if (frame.styles.empty()) {
         frame.styles.emplace_back();
         frame.narrowest = frame.widest = narrowest_search;
     }
     frame.only = frame.styles.back();
-    frame.uniform = all && std::ranges::all_of(list.items, [&](const DrawItem& item) {
-                        return frame.styles[item.object_id] == frame.only;
-                    });
+    const auto alike = [&](const auto& item) {
+        return item.object_id < frame.styles.size() && frame.styles[item.object_id] == frame.only;
+    };
+    frame.uniform = all && std::ranges::all_of(list.items, alike) && std::ranges::all_of(pictures.items, alike);
     frame.varying = frame.narrowest < frame.widest;
     if (frame.pixels || frame.strokes) {
         // Half a line along an outline is outside of it.
@@ -80,6 +97,7 @@ void SelectToneLines::operator()(Query<const AbstractedLines> styled, Query<cons
     }
     frame.rects = rects_around(frame.rects.lines, frame.widest, wants_whole_view(requests), view);
     if (!frame.uniform) requests.textures.insert("object_id");
+    if (frame.pictures) requests.textures.insert("picture_tone");
     layer.set("abstracted_lines", frame.pixels || frame.strokes ? frame.rects.lines : gpu::Rect{});
 }
 

@@ -6,6 +6,7 @@
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/frame_requests.h>
 #include <hachure/runtime/scene/line_layer.h>
+#include <hachure/runtime/scene/picture_list.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/abstracted_lines/tone_line_frame.h>
 
@@ -17,10 +18,15 @@ namespace hachure {
 class SelectToneLines {
 public:
     void operator()(Query<const AbstractedLines> styled, Query<const ToneImage> qualities, const DrawList& list,
-                    const View& view, FrameRequests& requests, ToneLineFrame& frame, LineLayer& layer);
+                    const PictureList& pictures, const View& view, FrameRequests& requests, ToneLineFrame& frame,
+                    LineLayer& layer);
 
 private:
-    void add(const DrawItem& item, const AbstractedLines& lines, const View& view, ToneLineFrame& frame);
+    /// The lines of a surface or a picture: its entity, its object id, where it can be seen.
+    void add(Entity entity, std::uint32_t object_id, const gpu::Rect& rect, const AbstractedLines& lines,
+             const View& view, ToneLineFrame& frame);
+    void add_pictures(const Query<const AbstractedLines>& styled, const PictureList& pictures, const View& view,
+                      ToneLineFrame& frame);
     void warn_of_thin_lines(Entity entity, float width);
 
     std::unordered_set<Entity> warned_;

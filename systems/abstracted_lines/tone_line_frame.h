@@ -25,6 +25,7 @@ struct ToneLineFrame {
     bool uniform = false;              ///< everything drawn has lines, of one style: no pixel needs to ask whose it is
     bool pixels = false;               ///< some lines are drawn by pixels
     bool strokes = false;              ///< some are strokes
+    bool pictures = false;             ///< some are those of pictures, which then belong to the tone image
     bool varying = false;              ///< widths vary over the picture
     float narrowest = 0.0f;            ///< px, of any line; at least `narrowest_search`
     float widest = 0.0f;               ///< px, likewise

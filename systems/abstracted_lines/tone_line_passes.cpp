@@ -4,8 +4,10 @@
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/light_list.h>
 #include <hachure/runtime/scene/line_layer.h>
+#include <hachure/runtime/scene/picture_list.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/abstracted_lines/tone_blur.h>
 #include <hachure/systems/abstracted_lines/tone_levels.h>
 #include <hachure/systems/abstracted_lines/tone_line_passes.h>
@@ -35,7 +37,7 @@ void depend_on_rect(gpu::PassBuilder& pass, const gpu::Rect& rect) {
 constexpr std::array background_tone{1.0f, 0.0f, 0.0f, 0.0f};
 
 struct TonePass {
-    TextureHandle tone, depth, samples;
+    TextureHandle tone, depth, samples, pictures;
 };
 
 struct SpecularPass {
@@ -81,6 +83,21 @@ void clear(const gpu::Framebuffer& framebuffer, int index, const std::array<floa
     framebuffer.bind();
     gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}, .scissor = where});
     framebuffer.clear_color(index, value);
+}
+
+/// The tones of pictures, behind all surfaces.
+void draw_pictures(const World& world, RenderContext& render, std::uint32_t tones) {
+    const ToneLineFrame& frame = world.resource<ToneLineFrame>();
+    const View& view = world.resource<View>();
+    constexpr const char* fragment = "abstracted_lines/picture_tone.frag";
+    gpu::Program& program = render.shaders->program({.vertex = "common/full_screen.vert", .fragment = fragment});
+    for (const PictureItem& item : world.resource<PictureList>().items) {
+        const gpu::Rect rect = common(item.rect, frame.rects.shaded);
+        if (rect.width <= 0 || rect.height <= 0) continue;
+        const bool has_lines = item.object_id < frame.styles.size();
+        program.set("width", has_lines ? frame.styles[item.object_id].line.x : 0.0f);
+        render.draw_full_screen(fragment, {.viewport = {0, 0, view.width, view.height}, .scissor = rect}, {tones});
+    }
 }
 
 /// Runs the search into the targets of a pass.
@@ -149,6 +166,7 @@ void ToneLinePasses::declare_tone(World& world, Textures& textures) {
             if (samples > 1)
                 data.samples = pass.create(
                     "tone_samples", {.width = view.width, .height = view.height, .format = format, .samples = samples});
+            if (frame.pictures) data.pictures = pass.read(render.graph.find("picture_tone"));
             gpu::KeyHash key;
             shading_.add_key(world, key);
             pass.depends_on(world.resource<DrawList>().key, world.resource<LightList>().key(), key.value(),
@@ -167,6 +185,7 @@ void ToneLinePasses::declare_tone(World& world, Textures& textures) {
                         .depth_write = true});
             framebuffer.clear_color(0, background_tone);
             framebuffer.clear_depth(0.0f);
+            if (data.pictures) draw_pictures(world, render, pass.texture(data.pictures));
             shading_.draw(world, render, drawn);
             if (!data.samples) return;
             gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}, .scissor = drawn.rects.shaded});

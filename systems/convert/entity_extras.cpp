@@ -1,6 +1,7 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/model_extras.h>
 #include <hachure/components/name.h>
+#include <hachure/components/picture.h>
 #include <hachure/components/scene.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/ecs/component_json.h>
@@ -93,6 +94,7 @@ const StyleComponent* EntityExtras::styled(Entity entity, const TypeInfo& type) 
         return found == list.end() ? nullptr : &*found;
     };
     const StyleComponent* result = world_.has<Surface>(entity) ? find(what_.style->surface) : nullptr;
+    if (!result && world_.has<Picture>(entity)) result = find(what_.style->picture);
     return !result && world_.has<Camera>(entity) ? find(what_.style->camera) : result;
 }
 

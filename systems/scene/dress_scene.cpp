@@ -1,5 +1,6 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/name.h>
+#include <hachure/components/picture.h>
 #include <hachure/components/scene.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/assets/json_place.h>
@@ -35,6 +36,7 @@ public:
 
     void run(const Style* style) {
         make_cameras();
+        make_pictures();
         if (style)
             for (const Entity root : scene_.roots) apply_style(world_, *style, root);
         for (const ScenePiece& piece : scene_.pieces) give_look(piece);
@@ -70,6 +72,15 @@ private:
                     if (world_.has<Camera>(entity)) world_.get_mutable<Camera>(entity).active = false;
                 });
         for (const Entity entity : cameras) world_.add(entity, Camera{.active = !own || !world_.has<Unsaved>(entity)});
+    }
+
+    /// Styles look for pictures, too.
+    void make_pictures() {
+        for (const ScenePiece& piece : scene_.pieces) {
+            const auto picture = piece.value->find("picture");
+            if (picture != piece.value->end() && !picture->is_null() && !world_.has<Picture>(piece.entity))
+                world_.add(piece.entity, Picture{});
+        }
     }
 
     /// The looks of a file, all of them read once.

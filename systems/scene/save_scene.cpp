@@ -1,5 +1,6 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/name.h>
+#include <hachure/components/picture.h>
 #include <hachure/components/scene.h>
 #include <hachure/components/surface.h>
 #include <hachure/components/transform.h>
@@ -126,10 +127,16 @@ private:
     /// What a scene gives an entity without being told.
     std::optional<FieldValues> implied(Entity entity, const TypeInfo& type) const {
         if (type.component == detail::component_id<Transform>()) return FieldValues{};
-        if (style_ && world_.has<Camera>(entity))
-            for (const StyleComponent& component : style_->camera)
-                if (component.type == &type) return component.fields;
-        return {};
+        if (!style_) return {};
+        // The camera's come last, as the style puts them.
+        std::optional<FieldValues> result;
+        const auto look = [&](const std::vector<StyleComponent>& given) {
+            for (const StyleComponent& component : given)
+                if (component.type == &type) result = component.fields;
+        };
+        if (world_.has<Picture>(entity)) look(style_->picture);
+        if (world_.has<Camera>(entity)) look(style_->camera);
+        return result;
     }
 
     void write_component(Entity entity, const TypeInfo& type, Json& result) {

@@ -1,5 +1,6 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/light.h>
+#include <hachure/components/picture.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/assets/json_text.h>
 #include <hachure/runtime/assets/text_file.h>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -19,6 +21,9 @@ namespace hachure {
 namespace {
 
 using nlohmann::json;
+
+/// What means something on a picture, by name: styles work without these capabilities, too.
+constexpr std::array<std::string_view, 2> on_pictures{"abstracted_lines", "picture_coat"};
 
 constexpr std::size_t max_style_bytes = std::size_t{1} << 20;
 
@@ -39,18 +44,27 @@ public:
         }
         if (document["hachure_style"] != 1) fault("/hachure_style", "has a version that is not known");
         for (const auto& [key, value] : document.items())
-            if (key != "hachure_style" && key != "name" && key != "doc" && key != "surface" && key != "camera" &&
-                key != "light")
-                fault("/" + key, "a style has no '" + key + "'");
+            if (!is_known(key)) fault("/" + key, "a style has no '" + key + "'");
         style.name = document.value("name", json("")).is_string() ? document.value("name", "") : "";
         style.doc = document.value("doc", json("")).is_string() ? document.value("doc", "") : "";
         style.surface = components(document, "surface");
+        style.picture = components(document, "picture");
+        for (const StyleComponent& component : style.surface)
+            if (std::ranges::find(on_pictures, component.type->name) != on_pictures.end() &&
+                std::ranges::find(style.picture, component.type, &StyleComponent::type) == style.picture.end())
+                style.picture.push_back(component);
         style.camera = components(document, "camera");
         style.light = components(document, "light");
         return style;
     }
 
 private:
+    static bool is_known(std::string_view key) {
+        constexpr std::array<std::string_view, 7> keys{"camera", "doc",     "hachure_style", "light",
+                                                       "name",   "picture", "surface"};
+        return std::ranges::find(keys, key) != keys.end();
+    }
+
     void fault(const std::string& pointer, const std::string& text) {
         report_(Error(text_.subject(), text, text_.where(pointer)));
     }
@@ -162,6 +176,8 @@ Style find_style(const TypeRegistry& types, std::string_view name_or_path) {
 
 void apply_style(World& world, const TypeRegistry& types, const Style& style) {
     for (const Entity entity : types.find("surface")->entities(world)) add_components(world, entity, style.surface);
+    if (const TypeInfo* pictures = types.find("picture"))
+        for (const Entity entity : pictures->entities(world)) add_components(world, entity, style.picture);
     for (const Entity entity : types.find("camera")->entities(world)) add_components(world, entity, style.camera);
     for (const Entity entity : entities_with<DefaultLight>(world)) add_components(world, entity, style.light);
 }
@@ -169,6 +185,7 @@ void apply_style(World& world, const TypeRegistry& types, const Style& style) {
 void apply_style(World& world, const Style& style, Entity root) {
     const auto apply = [&](Entity entity) {
         if (world.has<Surface>(entity)) add_components(world, entity, style.surface);
+        if (world.has<Picture>(entity)) add_components(world, entity, style.picture);
         if (world.has<Camera>(entity)) add_components(world, entity, style.camera);
         if (world.has<DefaultLight>(entity)) add_components(world, entity, style.light);
     };

@@ -20,18 +20,22 @@ struct StyleComponent {
     FieldValues fields;   ///< the others keep their defaults
 };
 
-/// A look, as data: what every surface carries, what the camera carries, and where light comes from by itself. A preset file is JSON:
+/// A look, as data: what every surface carries, what every picture and the camera do, and where light comes from by
+/// itself. A preset file is JSON:
 ///
 ///     { "hachure_style": 1, "name": "mine", "doc": "one line",
 ///       "surface": { "gooch": { "b": 0.55, "y": 0.3 }, "edge_lines": { "width": 1.5 } },
+///       "picture": { "picture_coat": { "show": "bands" } },
 ///       "camera": { "compose": { "background": [1, 1, 1] } },
 ///       "light": { "transform": { "rotation": [0, 0, 0, 1] }, "light": { "rig": "camera" } } }
 ///
-/// `light` is for the light of scenes that bring none (DefaultLight); others have been lit by whoever made them.
+/// Pictures also take what "surface" says and means something on them (abstracted_lines, picture_coat); "picture" comes
+/// before it. "light" is for the light of scenes that bring none (DefaultLight); others have been lit by who made them.
 struct Style {
     std::string name;
     std::string doc;
     std::vector<StyleComponent> surface;
+    std::vector<StyleComponent> picture; ///< all that pictures take; empty: the style is for surfaces alone
     std::vector<StyleComponent> camera;
     std::vector<StyleComponent> light;
 };
@@ -55,7 +59,7 @@ struct BuiltInStyle {
 /// A built-in style by its name, else the preset file of that path. Throws Error when there is neither.
 [[nodiscard]] Style find_style(const TypeRegistry& types, std::string_view name_or_path);
 
-/// Puts the style's components on every surface and every camera of the world. What the file of a model says of them
+/// Puts the style's components on every surface, picture and camera of the world. What the file of a model says of them
 /// itself (components/model_extras.h) stays.
 void apply_style(World& world, const TypeRegistry& types, const Style& style);
 

@@ -1,5 +1,6 @@
 #include <hachure/components/compose.h>
 #include <hachure/components/deformed.h>
+#include <hachure/components/picture.h>
 #include <hachure/components/surface.h>
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/app/app.h>
@@ -14,6 +15,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace hachure {
 namespace {
@@ -45,17 +47,28 @@ struct BoundedItem {
     geometry::Bounds bounds;
 };
 
-std::vector<DrawItem> visible_items(const PlacedSurfaces& surfaces, const View& view, const MeshStore& store) {
+/// Object ids number surfaces and pictures together, in the order of entities: they do not depend on what is in view.
+void number(std::vector<BoundedItem>& items, std::vector<DrawPicture>& pictures) {
+    std::uint32_t id = 0;
+    auto picture = pictures.begin();
+    for (auto& [item, bounds] : items) {
+        for (; picture != pictures.end() && picture->entity < item.entity; ++picture) picture->object_id = ++id;
+        item.object_id = ++id;
+    }
+    for (; picture != pictures.end(); ++picture) picture->object_id = ++id;
+}
+
+std::vector<DrawItem> visible_items(const PlacedSurfaces& surfaces, const View& view, const MeshStore& store,
+                                    std::vector<DrawPicture>& pictures) {
     std::vector<BoundedItem> items;
     for (auto [entity, surface, transform, deformed] : surfaces)
         if (surface.visible)
             items.push_back({draw_item(entity, surface, deformed, transform.matrix),
                              deformed ? deformed->bounds : store.mesh(surface.mesh).bounds});
     std::ranges::sort(items, {}, [](const BoundedItem& bounded) { return bounded.item.entity; });
+    number(items, pictures);
     std::vector<DrawItem> visible;
-    std::uint32_t id = 0;
     for (auto& [item, own_bounds] : items) {
-        item.object_id = ++id;
         const geometry::Bounds bounds = transformed(own_bounds, item.world_from_entity);
         if (outside_frustum(bounds, view.clip_from_world)) continue;
         item.rect = screen_rect(bounds, view);
@@ -67,19 +80,37 @@ std::vector<DrawItem> visible_items(const PlacedSurfaces& surfaces, const View& 
 /// Makes the list anew when a surface changed, or the view did.
 class CollectSurfaces {
 public:
-    void operator()(PlacedSurfaces surfaces, Removed<Surface> bare, Removed<WorldTransform> unplaced,
-                    Removed<Deformed> stiff, LastRun last, const View& view, const MeshStore& store, DrawList& list,
-                    DrawClaims& claims) {
+    void operator()(PlacedSurfaces surfaces, Query<const Picture> pictures, Removed<Surface> bare,
+                    Removed<WorldTransform> unplaced, Removed<Deformed> stiff, Removed<Picture> blank, LastRun last,
+                    const View& view, const MeshStore& store, DrawList& list, DrawClaims& claims) {
         const bool changed = !surfaces.changed_since<Surface, WorldTransform, Deformed>(last.tick).empty();
         if (changed || !bare.empty() || !unplaced.empty() || !stiff.empty()) ++version_;
+        if (!blank.empty() || !pictures.changed_since<Picture>(last.tick).empty()) find_pictures(pictures);
         const std::uint64_t key = gpu::key_of(view.key(), version_);
-        if (list.key != key) list = {visible_items(surfaces, view, store), key};
+        if (list.key != key) {
+            list.pictures.clear();
+            for (const Entity entity : pictures_) list.pictures.push_back({entity});
+            list.items = visible_items(surfaces, view, store, list.pictures);
+            list.key = key;
+        }
         // Who shades an item can change without the list: every capability claims anew.
         claims.shading.assign(list.items.size(), unlit);
     }
 
 private:
-    std::uint64_t version_ = 0; ///< how often surfaces were seen to have changed
+    /// A picture that only changes its look changes no object id: surfaces are not drawn again for it.
+    void find_pictures(const Query<const Picture>& pictures) {
+        std::vector<Entity> found;
+        for (auto [entity, picture] : pictures)
+            if (picture.visible) found.push_back(entity);
+        std::ranges::sort(found);
+        if (found == pictures_) return;
+        pictures_ = std::move(found);
+        ++version_;
+    }
+
+    std::uint64_t version_ = 0;    ///< how often surfaces, or which pictures there are, were seen to have changed
+    std::vector<Entity> pictures_; ///< the visible ones, ascending
 };
 
 gpu::Format color_format(const FrameRequests& requests) {
@@ -152,7 +183,9 @@ void register_surface(App& app) {
          "drawn",
          {"normal.X", "normal.Y", "normal.Z"}});
     aovs.push_back(
-        {"object_id", "1 for the surface entity made first, and so on; 0 where nothing is drawn", {"object_id"}});
+        {"object_id",
+         "1 for the visible entity with a surface or a picture made first, and so on; 0 where nothing is drawn",
+         {"object_id"}});
     app.add_system(Stage::material, "surface.collect", CollectSurfaces{});
     app.add_system(Stage::render, "surface.passes", declare_passes);
 }

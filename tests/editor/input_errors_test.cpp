@@ -66,7 +66,7 @@ TEST(InputErrors, UnknownKindOfFile) {
     expect_refused(folder, "notes.txt", "is not a kind of model");
 }
 
-TEST(InputErrors, ImageHasNothingToShade) {
+TEST(InputErrors, NoImage) {
     const TempFolder folder;
     folder.write("in.png", "no image at all");
     EXPECT_TRUE(failed(forked_command({"render", "in.png", "-o", "out.png"}, folder.path()), 1, "in.png: "));

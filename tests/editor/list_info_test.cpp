@@ -68,7 +68,7 @@ TEST(List, MarkdownIsForComponents) {
 
 TEST(List, Aovs) {
     const std::vector<std::string> lines = list("aovs");
-    EXPECT_EQ(lines.size(), 7u);
+    EXPECT_EQ(lines.size(), 8u);
     EXPECT_NE(line_of(lines, "velocity").find("velocity.X velocity.Y"), std::string::npos);
     EXPECT_NE(line_of(lines, "depth").find(" Z "), std::string::npos);
     EXPECT_NE(line_of(lines, "color").find("R G B"), std::string::npos);
@@ -76,6 +76,7 @@ TEST(List, Aovs) {
     line_of(lines, "object_id");
     line_of(lines, "line_layer");
     line_of(lines, "hidden_lines");
+    line_of(lines, "picture_tone");
 }
 
 TEST(List, SystemsInTheOrderOfTheirStages) {

@@ -1,10 +1,14 @@
+#include <hachure/components/abstracted_lines.h>
 #include <hachure/components/camera.h>
 #include <hachure/components/compose.h>
 #include <hachure/components/gooch.h>
 #include <hachure/components/light.h>
+#include <hachure/components/picture.h>
+#include <hachure/components/picture_coat.h>
 #include <hachure/components/scene.h>
 #include <hachure/components/surface.h>
 #include <hachure/editor/open_input.h>
+#include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/scene/spawner.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/systems/scene/load_scene.h>
@@ -88,6 +92,36 @@ TEST_F(OpenInput, ABareModelCanBeSavedAsAScene) {
     const Entity copy = world.resource<Spawner>().spawn(world, {.what = "a.obj"});
     EXPECT_EQ(world.query<const Gooch>().count(), 2u) << "what is spawned has the style";
     EXPECT_TRUE(world.alive(copy));
+}
+
+TEST_F(OpenInput, AnImageIsASceneOfOnePicture) {
+    assets::write_png(folder_ / "photo.png", assets::make_image(6, 4, 3, assets::PixelType::u8));
+    World& world = open("photo.png", {.style = "lines", .clip = {}});
+    EXPECT_EQ(only<Picture>(world).file, (folder_ / "photo.png").string());
+    EXPECT_EQ(only<AbstractedLines>(world), AbstractedLines{});
+    EXPECT_TRUE(only<Camera>(world).active);
+    EXPECT_EQ(world.query<const Surface>().count(), 0u);
+    EXPECT_EQ(save_scene(world, app_->types(), folder_.path()), R"({
+  "hachure_scene": 1,
+  "style": "lines",
+  "entities": [
+    { "name": "photo", "picture": { "file": "photo.png" } }
+  ]
+}
+)");
+    EXPECT_EQ(picture_size(folder_ / "photo.png"), (Canvas{6, 4}));
+    EXPECT_EQ(open("photo.png").resource<SceneDocument>().style, "lines");
+}
+
+TEST_F(OpenInput, PicturesOfAScenesFileAreSavedAsTheyWere) {
+    assets::write_png(folder_ / "photo.png", assets::make_image(6, 4, 3, assets::PixelType::u8));
+    const std::string entity =
+        R"({ "name": "A", "picture": { "file": "photo.png", "fit": "cover" }, "picture_coat": { "show": "tone" } })";
+    World& world = open_scene(entity, R"(, "style": "lines")");
+    EXPECT_THAT(save_scene(world, app_->types(), folder_.path()),
+                testing::AllOf(testing::HasSubstr(R"("fit": "cover")"), testing::HasSubstr(R"("show": "tone")"),
+                               testing::Not(testing::HasSubstr("abstracted_lines"))))
+        << "what the style gives is not said again";
 }
 
 } // namespace

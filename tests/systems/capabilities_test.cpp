@@ -12,6 +12,7 @@
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/metal/metal.h>
+#include <hachure/systems/picture/picture.h>
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
@@ -71,6 +72,7 @@ constexpr Capability capabilities[] = {
     {"curvature", register_curvature}, {"timeline", register_timeline},
     {"script", register_script},       {"metal", register_metal},
     {"toon", register_toon},           {"abstracted_lines", register_abstracted_lines},
+    {"picture", register_picture},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -95,13 +97,14 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_THAT(names_in(app, Stage::light), ElementsAre("camera", "light"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "gooch.claim"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "metal.claim"));
+    EXPECT_LT(place(app, "surface.collect"), place(app, "picture.collect"));
     EXPECT_LT(place(app, "gooch.claim"), place(app, "metal.claim"));
     EXPECT_LT(place(app, "surface.collect"), place(app, "edge_lines.select"));
     EXPECT_LT(place(app, "metal.claim"), place(app, "toon.claim"));
     EXPECT_LT(place(app, "deform"), place(app, "toon.normals"));
     EXPECT_THAT(names_in(app, Stage::render),
-                ElementsAre("deform.pass", "surface.passes", "gooch.pass", "metal.pass", "toon.pass", "edge_lines.pass",
-                            "abstracted_lines.pass", "velocity.pass", "compose.passes"));
+                ElementsAre("deform.pass", "surface.passes", "picture.pass", "gooch.pass", "metal.pass", "toon.pass",
+                            "edge_lines.pass", "abstracted_lines.pass", "velocity.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest

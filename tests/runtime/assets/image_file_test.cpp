@@ -127,5 +127,32 @@ TEST(ImageFile, WritesNothingWhereItCannot) {
     EXPECT_TRUE(folder.listing().empty());
 }
 
+/// Of a stored image 3 x 2, a b c over d e f, what is to be seen for each of Exif's orientations.
+TEST(ImageFile, PhotographsAreTurnedUpright) {
+    const test::TempFolder folder;
+    const std::string stored = "abcdef";
+    const std::vector<std::string> seen{"abc/def",  "cba/fed",  "fed/cba",  "def/abc",
+                                        "ad/be/cf", "da/eb/fc", "fc/eb/da", "cf/be/ad"};
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        const std::string file = (folder / "photo.tif").string();
+        OIIO::ImageSpec spec(3, 2, 1, OIIO::TypeDesc::UINT8);
+        spec.attribute("Orientation", orientation);
+        const auto output = OIIO::ImageOutput::create(file);
+        ASSERT_TRUE(output && output->open(file, spec) && output->write_image(spec.format, stored.data()) &&
+                    output->close());
+        const Image image = read_upright_image(file);
+        std::string text;
+        for (int i = 0; i < image.width * image.height; ++i) {
+            if (i > 0 && i % image.width == 0) text += '/';
+            text += static_cast<char>(image.u8()[i]);
+        }
+        EXPECT_EQ(text, seen[static_cast<std::size_t>(orientation - 1)]) << orientation;
+        const ImageSize size = read_upright_size(file);
+        EXPECT_EQ(size.width, image.width);
+        EXPECT_EQ(size.height, image.height);
+        EXPECT_EQ(read_image(file).width, 3) << "textures stay as they are";
+    }
+}
+
 } // namespace
 } // namespace hachure::assets

@@ -1,6 +1,8 @@
 #include <hachure/components/compose.h>
 #include <hachure/components/edge_lines.h>
 #include <hachure/components/gooch.h>
+#include <hachure/components/picture.h>
+#include <hachure/components/picture_coat.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/styles/style.h>
 
@@ -44,6 +46,25 @@ TEST_F(StyleTest, GoesToSurfacesAndCameras) {
     EXPECT_EQ(world.get<Compose>(camera).background, glm::vec3(0, 0.25f, 1));
     EXPECT_FALSE(world.has<Gooch>(camera));
     EXPECT_FALSE(world.has<Compose>(surface));
+}
+
+TEST_F(StyleTest, PicturesTakeTheirSectionAndWhatMeansSomethingOnThem) {
+    World& world = app.world();
+    const Entity picture = world.create_with(Picture{.file = "a.png"}), surface = world.create_with(Surface{});
+    const Style both = parse_style(app.types(), "mine.json", R"({"hachure_style": 1,
+        "surface": {"gooch": {}, "picture_coat": {"show": "tone"}}, "picture": {"picture_coat": {"bands": 5}}})");
+    apply_style(world, app.types(), both);
+    EXPECT_EQ(world.get<PictureCoat>(picture), (PictureCoat{.bands = 5}));
+    EXPECT_EQ(world.get<Picture>(picture).file, "a.png");
+    EXPECT_FALSE(world.has<Gooch>(picture));
+    EXPECT_TRUE(world.has<Gooch>(surface));
+    const Style surfaces =
+        parse_style(app.types(), "mine.json", R"({"hachure_style": 1, "surface": {"picture_coat": {"show": "tone"}}})");
+    apply_style(world, surfaces, picture);
+    EXPECT_EQ(world.get<PictureCoat>(picture).show, PictureShow::tone);
+    EXPECT_TRUE(find_style(app.types(), "gooch").picture.empty());
+    EXPECT_THAT(fault_of(R"({"hachure_style": 1, "picture": {"picture_coat": {"bands": 1}}})"),
+                HasSubstr("/picture/picture_coat"));
 }
 
 TEST_F(StyleTest, EveryBuiltInStyleIsFoundByItsNameAndDescribed) {
