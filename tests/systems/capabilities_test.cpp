@@ -12,6 +12,7 @@
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/metal/metal.h>
+#include <hachure/systems/paper/paper.h>
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
@@ -71,6 +72,7 @@ constexpr Capability capabilities[] = {
     {"curvature", register_curvature}, {"timeline", register_timeline},
     {"script", register_script},       {"metal", register_metal},
     {"toon", register_toon},           {"abstracted_lines", register_abstracted_lines},
+    {"paper", register_paper},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -101,7 +103,7 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_LT(place(app, "deform"), place(app, "toon.normals"));
     EXPECT_THAT(names_in(app, Stage::render),
                 ElementsAre("deform.pass", "surface.passes", "gooch.pass", "metal.pass", "toon.pass", "edge_lines.pass",
-                            "abstracted_lines.pass", "velocity.pass", "compose.passes"));
+                            "abstracted_lines.pass", "velocity.pass", "paper.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest
