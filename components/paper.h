@@ -33,7 +33,7 @@ struct Paper {
     PaperUnit scale_unit = PaperUnit::pixels;
     std::int32_t seed = 1;
     float pressure = 1.0f;
-    float softness = 0.5f;
+    float softness = 0.7f;
 
     friend bool operator==(const Paper&, const Paper&) = default;
 };
