@@ -43,4 +43,4 @@ write_png("conte.png", ramp((96, 58, 40), (0.2, 0.5, (150, 112, 82)), (0.45, 0.6
 write_png("ink.png", ramp((0, 0, 0), (0.33, 0.35, WHITE)))
 write_png("blueprint.png", ramp((16, 46, 92), (0.3, 0.6, BLUE)))
 write_png("scratchboard.png", ramp(BLACK, (0.5, 1.0, (60, 60, 64))))
-write_png("chalk.png", ramp((50, 50, 92), (0.2, 0.45, (68, 76, 102)), (0.45, 0.65, SLATE), (0.75, 1.0, (206, 176, 140))))
+write_png("chalk.png", ramp((50, 50, 92), (0.2, 0.45, (68, 76, 102)), (0.45, 0.65, SLATE), (0.75, 1.0, (178, 158, 134))))
