@@ -11,6 +11,7 @@ namespace hachure {
 namespace {
 
 constexpr std::size_t side = grain_tile;
+constexpr float finest_period = 4.0f; // px, of ribs and threads
 constexpr float tau = glm::two_pi<float>();
 
 using Tile = std::vector<float>;
@@ -129,7 +130,7 @@ Tile cold_press(float scale, std::uint32_t seed) {
 
 /// Ribs lie across, as in a sheet held upright; their height and place wander a little, as wires do.
 Tile laid(float scale, std::uint32_t seed) {
-    const float ribs = count_of(5.5f * scale, 1), chains = count_of(110.0f * scale, 1);
+    const float ribs = count_of(std::max(5.5f * scale, finest_period), 1), chains = count_of(110.0f * scale, 1);
     const Tile drift = fibres(4 * seed, 40.0f * scale, 6.0f * scale), grain = band(4 * seed + 1, 0.8f * scale),
                streaks = fibres(4 * seed + 2, 8.0f * scale, 0.8f * scale);
     return make_tile([&](std::size_t x, std::size_t y) {
@@ -150,7 +151,7 @@ float thread(float across, float along) {
 }
 
 Tile canvas(float scale, std::uint32_t seed) {
-    const float threads = count_of(7.0f * scale, 2);
+    const float threads = count_of(std::max(7.0f * scale, finest_period), 2);
     const Tile warp = fibres(4 * seed, 2.0f * scale, 24.0f * scale),
                weft = fibres(4 * seed + 1, 24.0f * scale, 2.0f * scale), grain = band(4 * seed + 2, 0.8f * scale);
     const Tile weave = make_tile([&](std::size_t x, std::size_t y) {

@@ -77,12 +77,16 @@ std::vector<float> resampled(const std::vector<float>& values, int columns, int 
 } // namespace
 
 HeightMap ranked_heights(int width, int height, const std::vector<float>& heights) {
-    std::vector<std::uint64_t> order(heights.size());
+    std::vector<std::uint64_t> order(heights.size()); // the height, then the texel
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = std::uint64_t{ordered_bits(heights[i])} << 32 | i;
+    std::ranges::sort(order);
     // Ties by lot and not by place, which would make a slope of a plateau.
-    std::ranges::sort(order, {}, [](std::uint64_t entry) {
-        return (entry & 0xffffffff00000000u) | lot(static_cast<std::uint32_t>(entry));
-    });
+    for (std::size_t first = 0, end; first < order.size(); first = end) {
+        for (end = first + 1; end < order.size() && order[end] >> 32 == order[first] >> 32;) ++end;
+        std::ranges::sort(order.begin() + static_cast<std::ptrdiff_t>(first),
+                          order.begin() + static_cast<std::ptrdiff_t>(end), {},
+                          [](std::uint64_t entry) { return lot(static_cast<std::uint32_t>(entry)); });
+    }
     HeightMap map{width, height, std::vector<std::uint8_t>(heights.size())};
     for (std::size_t rank = 0; rank < order.size(); ++rank)
         map.texels[order[rank] & 0xffffffffu] = static_cast<std::uint8_t>(rank * 256 / order.size());

@@ -143,7 +143,8 @@ void register_paper(App& app) {
         .after("metal.pass")
         .after("toon.pass")
         .after("edge_lines.pass")
-        .after("abstracted_lines.pass");
+        .after("abstracted_lines.pass")
+        .before("velocity.pass");
 }
 
 } // namespace hachure

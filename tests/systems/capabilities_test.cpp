@@ -103,7 +103,7 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_LT(place(app, "deform"), place(app, "toon.normals"));
     EXPECT_THAT(names_in(app, Stage::render),
                 ElementsAre("deform.pass", "surface.passes", "gooch.pass", "metal.pass", "toon.pass", "edge_lines.pass",
-                            "abstracted_lines.pass", "velocity.pass", "paper.pass", "compose.passes"));
+                            "abstracted_lines.pass", "paper.pass", "velocity.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest
