@@ -10,6 +10,7 @@ uniform ivec4 line_rect;                          // holds lines: left, bottom, 
 #ifdef SHADING
 layout(binding = 2) uniform sampler2D color;
 uniform vec3 bare; // the paper's colour
+uniform vec3 bare_from, bare_to; // what rounding makes of it
 #endif
 
 layout(location = 0) out vec4 out_color;
@@ -27,15 +28,11 @@ vec4 line_on_paper() {
 #endif
 
 #ifdef SHADING
-vec3 encoded(vec3 linear) {
-    return mix(12.92 * linear, 1.055 * pow(max(linear, 0.0), vec3(1.0 / 2.4)) - 0.055, greaterThan(linear, vec3(0.0031308)));
-}
-
 // A colour is paper that is covered in part by the strongest pigment of its hue: where the line from the paper's colour
 // through it leaves the cube of colours. What is within rounding of the paper is paper, or it would be speckled.
 vec3 shading_on_paper(vec3 shaded) {
     vec3 away = shaded - bare;
-    if (all(lessThan(abs(encoded(shaded) - encoded(bare)), vec3(1.5 / 255.0)))) return shaded;
+    if (all(greaterThan(shaded, bare_from)) && all(lessThan(shaded, bare_to))) return shaded;
     vec3 room = mix(bare, 1.0 - bare, greaterThan(away, vec3(0.0)));
     vec3 parts = abs(away) / max(room, 1e-4);
     float amount = max(parts.r, max(parts.g, parts.b));

@@ -1,14 +1,13 @@
 // How much of a pigment stays on paper: peaks of its relief catch it, valleys resist it (Kalnins et al. 2002, media
 // simulation). Heights are spread evenly over [0, 1], so that the mean over any flat tone is that tone.
-layout(binding = 0) uniform sampler2D heights; // a texel a pixel
+layout(binding = 0) uniform sampler2D heights; // a texel a pixel, repeated, not filtered
 
 uniform float strength; // of the effect
 uniform float pressure; // 1 keeps tones
 uniform float softness; // of the passage from bare to covered, in heights; above 0, at most 1
 
 float paper_height() {
-    ivec2 texel = ivec2(gl_FragCoord.xy) % textureSize(heights, 0);
-    return (255.0 * texelFetch(heights, texel, 0).r + 0.5) / 256.0;
+    return (255.0 * textureLod(heights, gl_FragCoord.xy / vec2(textureSize(heights, 0)), 0.0).r + 0.5) / 256.0;
 }
 
 // The height that is half covered by `amount`: a ramp of width s about it, clamped to [0, 1], has the mean `amount`

@@ -8,6 +8,7 @@
 #include <hachure/systems/paper/paper.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -19,6 +20,19 @@ SheetKey sheet_key(const Paper& paper, const View& view) {
     const float scale = std::clamp(paper.scale * unit, 0.5f, 32.0f);
     if (!paper.file.empty()) return {.file = paper.file, .scale = scale};
     return {.kind = paper.kind, .seed = static_cast<std::uint32_t>(paper.seed), .scale = scale};
+}
+
+constexpr float rounding = 1.5f / 255.0f; ///< what writing and reading an sRGB colour may do to it
+
+/// A linear colour, moved by so much of its encoded value.
+glm::vec3 moved(const glm::vec3& color, float by) {
+    glm::vec3 result;
+    for (int c = 0; c < 3; ++c) {
+        const float x = color[c];
+        const float encoded = (x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f) + by;
+        result[c] = encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+    }
+    return result;
 }
 
 struct PaperTextures {
@@ -58,7 +72,10 @@ private:
         const HeightMap sheet = make_sheet(key);
         heights_ = gpu::Texture({sheet.width, sheet.height, gpu::Format::r8}, "paper");
         heights_.upload(std::span<const std::uint8_t>(sheet.texels));
-        heights_.set_sampling(gpu::Sampling::nearest());
+        heights_.set_sampling({.min = gpu::Filter::nearest,
+                               .mag = gpu::Filter::nearest,
+                               .wrap_u = gpu::Wrap::repeat,
+                               .wrap_v = gpu::Wrap::repeat});
         key_ = key;
         ++version_;
     }
@@ -122,6 +139,8 @@ private:
         program.set("pressure", settings_.paper.pressure);
         program.set("softness", std::max(settings_.paper.softness, 0.001f));
         program.set("bare", settings_.bare);
+        program.set("bare_from", moved(settings_.bare, -rounding));
+        program.set("bare_to", moved(settings_.bare, rounding));
         program.set("line_rect", glm::ivec4(rect.x, rect.y, rect.x + rect.width, rect.y + rect.height));
     }
 
