@@ -7,7 +7,6 @@
 #include <hachure/components/transform.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/assets/read_model.h>
-#include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/renderer.h>
@@ -128,7 +127,6 @@ int run_headless(const std::string& file, int frames) {
     }
     study.widen(2.0f);
     const std::vector<float> wide = draw_lines(renderer);
-    if (const char* f = std::getenv("DUMP")) assets::write_png(f, renderer.read_picture());
     std::printf("twice as wide: %.0f px of lines\n", ink(wide));
     good = check(ink(wide) > 1.2 * ink(before), "lines do not follow their width") && good;
     study.change_beta(1.0f);
