@@ -11,6 +11,7 @@
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/metal/metal.h>
+#include <hachure/systems/paper/paper.h>
 #include <hachure/systems/picture/picture.h>
 #include <hachure/systems/scene/scene.h>
 #include <hachure/systems/script/script.h>
@@ -40,6 +41,7 @@ void register_capabilities(App& app) {
     register_toon(app);
     register_edge_lines(app);
     register_abstracted_lines(app);
+    register_paper(app);
     register_compose(app);
     register_velocity(app);
 }

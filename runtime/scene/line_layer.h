@@ -29,6 +29,8 @@ public:
         return rect;
     }
 
+    bool laid = false; ///< in this frame a pass before compose lays lines over the picture, as systems/paper does
+
 private:
     struct Part {
         std::string_view who; ///< a name that outlives the world

@@ -13,6 +13,9 @@ uniform float shininess;
 uniform float full_width;          // px
 uniform float least_width;         // px
 uniform float full_width_distance; // metres; 0: width does not depend on distance
+#ifdef WIDTH_FACTORS_UNIT
+in float width_factor;
+#endif
 
 // Distance from the eye; in an orthographic view, from its plane.
 float eye_distance() {
@@ -22,6 +25,9 @@ float eye_distance() {
 float line_width() {
     float width = full_width;
     if (full_width_distance > 0.0) width *= min(full_width_distance / max(eye_distance(), 1e-9), 1.0);
+#ifdef WIDTH_FACTORS_UNIT
+    width *= clamp(width_factor, 0.0, 1.0);
+#endif
     return max(width, least_width);
 }
 #endif

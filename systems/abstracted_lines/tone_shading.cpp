@@ -1,4 +1,6 @@
+#include <hachure/components/surface.h>
 #include <hachure/runtime/scene/light_defines.h>
+#include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/abstracted_lines/tone_shading.h>
@@ -12,6 +14,7 @@ namespace hachure {
 namespace {
 
 constexpr unsigned normals_unit = SurfaceShading::first_free_unit;
+constexpr unsigned widths_unit = normals_unit + 1;
 
 AbstractedLines lines_of(const World& world, Entity entity) {
     const auto* lines = world.find<AbstractedLines>(entity);
@@ -62,9 +65,16 @@ void ToneShading::draw(World& world, RenderContext& render, const ToneLineFrame&
     std::vector<Entity> drawn;
     for (const DrawItem& item : list.items) drawn.push_back(item.entity);
     normals_.forget_all_but(drawn);
+    factors_.forget_all_but(drawn);
+    const auto widths_of = [&](Entity entity) {
+        return frame.varying
+                   ? widths_.find(world.resource<MeshStore>(), world.get<Surface>(entity).mesh, lines_of(world, entity))
+                   : nullptr;
+    };
     const auto defines = [&](Entity entity, std::vector<gpu::ShaderDefine>& result) {
         add_light_defines(world.resource<LightList>(), result);
         if (frame.varying) result.push_back({"WIDTHS", ""});
+        if (widths_of(entity)) result.push_back({"WIDTH_FACTORS_UNIT", std::to_string(widths_unit)});
         if (!abstracted_normals_of(world, entity)) return;
         result.push_back({"ABSTRACTED", ""});
         result.push_back({"NORMALS_UNIT", std::to_string(normals_unit)});
@@ -77,6 +87,8 @@ void ToneShading::draw(World& world, RenderContext& render, const ToneLineFrame&
     const auto bind = [&](const DrawItem& drawn_item) {
         if (const AbstractedNormals* abstracted = abstracted_normals_of(world, drawn_item.entity))
             normals_.get(drawn_item.entity, abstracted->version, *abstracted->normals).bind(normals_unit);
+        if (const VertexWidths* widths = widths_of(drawn_item.entity))
+            factors_.get(drawn_item.entity, widths->version, widths->factors).bind(widths_unit);
     };
     const View& view = world.resource<View>();
     draw_all_surfaces(world, render,

@@ -6,6 +6,7 @@
 #include <hachure/runtime/gpu/frame_graph_key.h>
 #include <hachure/runtime/scene/surface_renderer.h>
 #include <hachure/runtime/scene/vertex_textures.h>
+#include <hachure/systems/abstracted_lines/mesh_widths.h>
 #include <hachure/systems/abstracted_lines/tone_line_frame.h>
 
 namespace hachure {
@@ -22,6 +23,8 @@ public:
 
 private:
     VertexTextures normals_{"abstracted normals of tones"};
+    MeshWidths widths_;
+    VertexTextures factors_{"widths of lines"};
 };
 
 } // namespace hachure

@@ -17,7 +17,7 @@ struct OverlayPass {
 void declare_overlay(World& world, RenderContext& render) {
     gpu::FrameGraph& graph = render.graph;
     const gpu::Rect rect = world.resource<LineLayer>().rect();
-    if (!graph.find("line_layer")) return;
+    if (!graph.find("line_layer") || world.resource<LineLayer>().laid) return;
     graph.add_pass<OverlayPass>(
         "overlay",
         [&](gpu::PassBuilder& pass, OverlayPass& data) {
@@ -114,7 +114,8 @@ void register_compose(App& app) {
         .after("metal.pass")
         .after("toon.pass")
         .after("edge_lines.pass")
-        .after("abstracted_lines.pass");
+        .after("abstracted_lines.pass")
+        .after("paper.pass");
 }
 
 } // namespace hachure

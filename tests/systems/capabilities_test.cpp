@@ -12,6 +12,7 @@
 #include <hachure/systems/gooch/gooch.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/metal/metal.h>
+#include <hachure/systems/paper/paper.h>
 #include <hachure/systems/picture/picture.h>
 #include <hachure/systems/script/script.h>
 #include <hachure/systems/surface/surface.h>
@@ -72,7 +73,7 @@ constexpr Capability capabilities[] = {
     {"curvature", register_curvature}, {"timeline", register_timeline},
     {"script", register_script},       {"metal", register_metal},
     {"toon", register_toon},           {"abstracted_lines", register_abstracted_lines},
-    {"picture", register_picture},
+    {"picture", register_picture},     {"paper", register_paper},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -104,7 +105,8 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_LT(place(app, "deform"), place(app, "toon.normals"));
     EXPECT_THAT(names_in(app, Stage::render),
                 ElementsAre("deform.pass", "surface.passes", "picture.pass", "gooch.pass", "metal.pass", "toon.pass",
-                            "edge_lines.pass", "abstracted_lines.pass", "velocity.pass", "compose.passes"));
+                            "edge_lines.pass", "abstracted_lines.pass", "paper.pass", "velocity.pass",
+                            "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest
