@@ -30,6 +30,9 @@ struct Light {
     friend bool operator==(const Light&, const Light&) = default;
 };
 
+/// Marks the light that a scene gets which brings none: a style may place it as suits it.
+struct DefaultLight {};
+
 inline void reflect(TypeBuilder<Light>& type) {
     type.name("light").doc("a light; shines along the entity's -Z");
     type.field("kind", &Light::kind).doc("kind of light").options({"directional", "point", "spot"});

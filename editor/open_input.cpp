@@ -59,7 +59,11 @@ void open_scene(App& app, const std::filesystem::path& input, Canvas canvas, con
         apply_style(world, find_style(app.types(), world.resource<SceneDocument>().applied_style), camera);
         world.add(camera, Unsaved{});
     }
-    if (!scene.has_light) world.add(spawn_default_light(world), Unsaved{});
+    if (!scene.has_light) {
+        const Entity light = spawn_default_light(world);
+        apply_style(world, find_style(app.types(), world.resource<SceneDocument>().applied_style), light);
+        world.add(light, Unsaved{});
+    }
 }
 
 /// An image or a video is one entity, with the name of its file.

@@ -38,7 +38,7 @@ ShadingLight shading_light(const Light& light, const glm::mat4& place) {
 float strength(const ShadingLight& light) { return std::max({light.color.r, light.color.g, light.color.b}); }
 
 /// Up and to the right of the camera, perpendicular to the gaze.
-struct DefaultLight {
+struct StandardLight {
     Light light{.rig = LightRig::camera};
     /// Turns +Z, where a light comes from, to (1, 1, 0) / sqrt 2: a quarter turn about (-1, 1, 0) / sqrt 2.
     glm::quat rotation = glm::angleAxis(1.57079632679f, glm::normalize(glm::vec3(-1.0f, 1.0f, 0.0f)));
@@ -53,7 +53,7 @@ void gather_lights(Query<const Light, const WorldTransform> placed, const View& 
         if (glm::length(glm::vec3(place[2])) > 0.0f) found.emplace_back(entity, shading_light(light, place));
     }
     if (found.empty()) {
-        const DefaultLight standard;
+        const StandardLight standard;
         found.emplace_back(Entity::null,
                            shading_light(standard.light, world_from_light(standard.light, standard.pose(), view)));
     }
@@ -75,10 +75,11 @@ void gather_lights(Query<const Light, const WorldTransform> placed, const View& 
 } // namespace
 
 Entity spawn_default_light(World& world) {
-    const DefaultLight standard;
+    const StandardLight standard;
     const Entity entity = world.create();
     world.add(entity, Transform{.rotation = standard.rotation});
     world.add(entity, standard.light);
+    world.add(entity, DefaultLight{});
     world.add(entity, Name{"light"});
     return entity;
 }

@@ -1,4 +1,5 @@
 #include <hachure/components/camera.h>
+#include <hachure/components/light.h>
 #include <hachure/components/picture.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/assets/json_text.h>
@@ -53,12 +54,14 @@ public:
                 std::ranges::find(style.picture, component.type, &StyleComponent::type) == style.picture.end())
                 style.picture.push_back(component);
         style.camera = components(document, "camera");
+        style.light = components(document, "light");
         return style;
     }
 
 private:
     static bool is_known(std::string_view key) {
-        constexpr std::array<std::string_view, 6> keys{"camera", "doc", "hachure_style", "name", "picture", "surface"};
+        constexpr std::array<std::string_view, 7> keys{"camera", "doc",     "hachure_style", "light",
+                                                       "name",   "picture", "surface"};
         return std::ranges::find(keys, key) != keys.end();
     }
 
@@ -136,6 +139,12 @@ void add_components(World& world, Entity entity, std::span<const StyleComponent>
     apply_model_extras(world, entity);
 }
 
+template <class C> std::vector<Entity> entities_with(const World& world) {
+    std::vector<Entity> result;
+    world.query<With<C>>().each([&result](Entity entity) { result.push_back(entity); });
+    return result;
+}
+
 std::string known_names() {
     std::string names;
     for (const BuiltInStyle& style : built_in_styles()) names += (names.empty() ? "" : ", ") + std::string(style.name);
@@ -170,6 +179,7 @@ void apply_style(World& world, const TypeRegistry& types, const Style& style) {
     if (const TypeInfo* pictures = types.find("picture"))
         for (const Entity entity : pictures->entities(world)) add_components(world, entity, style.picture);
     for (const Entity entity : types.find("camera")->entities(world)) add_components(world, entity, style.camera);
+    for (const Entity entity : entities_with<DefaultLight>(world)) add_components(world, entity, style.light);
 }
 
 void apply_style(World& world, const Style& style, Entity root) {
@@ -177,6 +187,7 @@ void apply_style(World& world, const Style& style, Entity root) {
         if (world.has<Surface>(entity)) add_components(world, entity, style.surface);
         if (world.has<Picture>(entity)) add_components(world, entity, style.picture);
         if (world.has<Camera>(entity)) add_components(world, entity, style.camera);
+        if (world.has<DefaultLight>(entity)) add_components(world, entity, style.light);
     };
     apply(root);
     world.for_each_descendant(root, apply);

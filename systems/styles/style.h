@@ -20,21 +20,25 @@ struct StyleComponent {
     FieldValues fields;   ///< the others keep their defaults
 };
 
-/// A look, as data: what every surface carries, what every picture and what the camera does. A preset file is JSON:
+/// A look, as data: what every surface carries, what every picture and the camera do, and where light comes from by
+/// itself. A preset file is JSON:
 ///
 ///     { "hachure_style": 1, "name": "mine", "doc": "one line",
 ///       "surface": { "gooch": { "b": 0.55, "y": 0.3 }, "edge_lines": { "width": 1.5 } },
 ///       "picture": { "picture_coat": { "show": "bands" } },
-///       "camera": { "compose": { "background": [1, 1, 1] } } }
+///       "camera": { "compose": { "background": [1, 1, 1] } },
+///       "light": { "transform": { "rotation": [0, 0, 0, 1] }, "light": { "rig": "camera" } } }
 ///
 /// Pictures also take what "surface" says and means something on them (abstracted_lines, picture_coat); "picture" comes
-/// before it.
+/// before it. `light` is for the light of scenes that bring none (DefaultLight); others have been lit by whoever made
+/// them.
 struct Style {
     std::string name;
     std::string doc;
     std::vector<StyleComponent> surface;
     std::vector<StyleComponent> picture; ///< all that pictures take; empty: the style is for surfaces alone
     std::vector<StyleComponent> camera;
+    std::vector<StyleComponent> light;
 };
 
 /// A style that is built in (systems/styles/*.json).
