@@ -17,7 +17,9 @@ enum class ToneBlur {
     kawase,    ///< down and up a pyramid (dual Kawase)
 };
 
-enum class ToneStorage { rg16f, rg8, rg32f };
+/// The format of tones. Sixteen bits between 0 and 1 are as good as floats; halves of those have steps of 1/2048 where
+/// it is bright, which moves wide, faint lines by up to a tenth of a pixel.
+enum class ToneStorage { rg16, rg16f, rg8, rg32f };
 
 /// Where the fitted parabola takes its samples from.
 enum class ToneTaps {
@@ -30,7 +32,7 @@ enum class ToneTaps {
 struct ToneImage {
     ToneQuality quality = ToneQuality::standard;
     std::int32_t samples = 1;
-    ToneStorage storage = ToneStorage::rg16f;
+    ToneStorage storage = ToneStorage::rg16;
     ToneBlur blur = ToneBlur::separable;
     ToneTaps taps = ToneTaps::weighted;
     std::int32_t iterations = 5;
@@ -46,7 +48,7 @@ inline void reflect(TypeBuilder<ToneImage>& type) {
     type.field("samples", &ToneImage::samples)
         .doc("samples of a pixel of the tone image: 1, or 4 for features below a pixel")
         .range(1, 4);
-    type.field("storage", &ToneImage::storage).doc("format of tones").options({"rg16f", "rg8", "rg32f"});
+    type.field("storage", &ToneImage::storage).doc("format of tones").options({"rg16", "rg16f", "rg8", "rg32f"});
     type.field("blur", &ToneImage::blur)
         .doc("how the tone image is blurred")
         .options({"exact", "separable", "recursive", "half", "kawase"});

@@ -23,6 +23,10 @@ std::string_view to_string(Format format) {
         return "srgb8_alpha8";
     case Format::r16f:
         return "r16f";
+    case Format::rg16:
+        return "rg16";
+    case Format::rgba16:
+        return "rgba16";
     case Format::rg16f:
         return "rg16f";
     case Format::rgba16f:

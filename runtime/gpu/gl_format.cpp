@@ -7,11 +7,13 @@ namespace hachure::gpu {
 namespace {
 
 // In the order of gpu::Format.
-constexpr std::array<GlFormat, 14> formats = {{
+constexpr std::array<GlFormat, 16> formats = {{
     {"r8", GL_R8, GL_RED, 1, FormatKind::normalized},
     {"rg8", GL_RG8, GL_RG, 2, FormatKind::normalized},
     {"rgba8", GL_RGBA8, GL_RGBA, 4, FormatKind::normalized},
     {"srgb8_alpha8", GL_SRGB8_ALPHA8, GL_RGBA, 4, FormatKind::normalized},
+    {"rg16", GL_RG16, GL_RG, 2, FormatKind::normalized},
+    {"rgba16", GL_RGBA16, GL_RGBA, 4, FormatKind::normalized},
     {"r16f", GL_R16F, GL_RED, 1, FormatKind::floating},
     {"rg16f", GL_RG16F, GL_RG, 2, FormatKind::floating},
     {"rgba16f", GL_RGBA16F, GL_RGBA, 4, FormatKind::floating},

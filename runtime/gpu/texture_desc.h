@@ -11,6 +11,8 @@ enum class Format : std::uint8_t {
     rg8,
     rgba8,
     srgb8_alpha8,
+    rg16,
+    rgba16,
     r16f,
     rg16f,
     rgba16f,
@@ -33,12 +35,14 @@ enum class Format : std::uint8_t {
         return 2;
     case Format::rgba8:
     case Format::srgb8_alpha8:
+    case Format::rg16:
     case Format::rg16f:
     case Format::r32f:
     case Format::r32ui:
     case Format::depth32f:
     case Format::depth24:
         return 4;
+    case Format::rgba16:
     case Format::rgba16f:
     case Format::rg32f:
     case Format::rg32ui:

@@ -24,13 +24,15 @@ ToneImage resolved(const ToneImage& wanted) {
 gpu::Format tone_format(ToneStorage storage, bool widths) {
     switch (storage) {
     case ToneStorage::rg8:
-        return widths ? gpu::Format::rgba16f : gpu::Format::rg8; // widths in pixels fit no byte of [0, 1]
+        return widths ? gpu::Format::rgba16 : gpu::Format::rg8; // widths need more than 8 bits
+    case ToneStorage::rg16f:
+        return widths ? gpu::Format::rgba16f : gpu::Format::rg16f;
     case ToneStorage::rg32f:
         return widths ? gpu::Format::rgba32f : gpu::Format::rg32f;
-    case ToneStorage::rg16f:
+    case ToneStorage::rg16:
         break;
     }
-    return widths ? gpu::Format::rgba16f : gpu::Format::rg16f;
+    return widths ? gpu::Format::rgba16 : gpu::Format::rg16;
 }
 
 } // namespace hachure

@@ -16,10 +16,10 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using TextureTest = test::GlTest;
 
-constexpr std::array all_formats = {Format::r8,       Format::rg8,     Format::rgba8,   Format::srgb8_alpha8,
-                                    Format::r16f,     Format::rg16f,   Format::rgba16f, Format::r32f,
-                                    Format::rg32f,    Format::rgba32f, Format::r32ui,   Format::rg32ui,
-                                    Format::depth32f, Format::depth24};
+constexpr std::array all_formats = {Format::r8,      Format::rg8,    Format::rgba8,    Format::srgb8_alpha8,
+                                    Format::rg16,    Format::rgba16, Format::r16f,     Format::rg16f,
+                                    Format::rgba16f, Format::r32f,   Format::rg32f,    Format::rgba32f,
+                                    Format::r32ui,   Format::rg32ui, Format::depth32f, Format::depth24};
 
 std::string label_of(GLenum kind, GLuint name) {
     std::array<char, 256> label{};
