@@ -1,56 +1,70 @@
-#include <hachure/runtime/scene/render_context.h>
-#include <hachure/systems/abstracted_lines/tone_blur.h>
-#include <hachure/systems/abstracted_lines/tone_levels.h>
-
-#include <algorithm>
-#include <string>
+#include <hachure/systems/abstracted_lines/tone_blur_kinds.h>
 
 namespace hachure {
 namespace {
 
-/// A rectangle that is larger by `margin` above and below, within `limit`.
-gpu::Rect taller(const gpu::Rect& rect, int margin, const gpu::Rect& limit) {
-    const int low = std::max(rect.y - margin, limit.y);
-    const int high = std::min(rect.y + rect.height + margin, limit.y + limit.height);
-    return {rect.x, low, rect.width, high - low};
-}
-
-/// One direction of a separable blur.
-struct LinePass {
-    std::uint32_t from, to;
-    gpu::Rect valid, rect;
-    glm::ivec2 along;
-};
-
-void blur_along(RenderContext& render, const LinePass& pass, double sigma) {
-    const std::vector<float> weights = blur_weights(sigma);
-    gpu::Program& program = render.shaders->program({.vertex = "common/full_screen.vert",
-                                                     .fragment = "abstracted_lines/blur.frag",
-                                                     .defines = {{"RADIUS", std::to_string(weights.size() - 1)}}});
-    program.set("weights", std::span<const float>(weights));
-    program.set("along", pass.along);
-    program.set("first", glm::ivec2(pass.valid.x, pass.valid.y));
-    program.set("last", glm::ivec2(pass.valid.x + pass.valid.width - 1, pass.valid.y + pass.valid.height - 1));
-    const gpu::Framebuffer& framebuffer = render.backend->framebuffer({pass.to});
-    framebuffer.bind();
-    gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}, .scissor = pass.rect});
-    render.backend->texture(pass.from).bind(0);
-    program.use();
-    render.full_screen.draw();
-}
-
-void blur_separable(RenderContext& render, const ToneBlurJob& job, std::uint32_t rows) {
-    const gpu::Rect tall = taller(job.rect, blur_radius(job.sigma), job.valid);
-    blur_along(render, {job.from, rows, job.valid, tall, {1, 0}}, job.sigma);
-    blur_along(render, {rows, job.to, tall, job.rect, {0, 1}}, job.sigma);
+/// What is done for a kind: where its own way is no better, or cannot be had, the separable one.
+ToneBlur done_for(ToneBlur kind, double sigma) {
+    if (kind == ToneBlur::half && halvings(sigma) == 0) return ToneBlur::separable;
+    if (kind == ToneBlur::kawase && !fits_pyramid(sigma)) return ToneBlur::separable;
+    return kind;
 }
 
 } // namespace
 
-std::vector<gpu::TextureDesc> ToneBlurJob::scratch(ToneBlur, double, const gpu::TextureDesc& desc) { return {desc}; }
+void BlurDraw::draw(RenderContext& render, gpu::Program& program) const {
+    const gpu::Framebuffer& framebuffer = render.backend->framebuffer({to});
+    framebuffer.bind();
+    gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}, .scissor = rect});
+    render.backend->texture(from).bind(0);
+    program.use();
+    render.full_screen.draw();
+}
+
+void BlurDraw::sampled(RenderContext& render, const char* fragment) const {
+    gpu::Program& program = render.shaders->program({.vertex = "common/full_screen.vert", .fragment = fragment});
+    program.set("first", glm::vec2(valid.x, valid.y) + 0.5f);
+    program.set("last", glm::vec2(valid.x + valid.width, valid.y + valid.height) - 0.5f);
+    draw(render, program);
+}
+
+void BlurDraw::fetched(RenderContext& render, const gpu::ProgramSource& source) const {
+    gpu::Program& program = render.shaders->program(source);
+    program.set("first", glm::ivec2(valid.x, valid.y));
+    program.set("last", glm::ivec2(valid.x + valid.width - 1, valid.y + valid.height - 1));
+    draw(render, program);
+}
+
+std::vector<gpu::TextureDesc> ToneBlurJob::scratch(ToneBlur kind, double sigma, const gpu::TextureDesc& desc) {
+    switch (done_for(kind, sigma)) {
+    case ToneBlur::exact:
+        return {};
+    case ToneBlur::recursive:
+        return recursive_scratch(desc);
+    case ToneBlur::half:
+        return halved_scratch(sigma, desc);
+    case ToneBlur::kawase:
+        return kawase_scratch(sigma, desc);
+    case ToneBlur::separable:
+        break;
+    }
+    return {desc};
+}
 
 void ToneBlurJob::run(RenderContext& render, std::span<const std::uint32_t> scratch) const {
-    blur_separable(render, *this, scratch[0]);
+    if (rect.width <= 0 || rect.height <= 0) return;
+    switch (done_for(kind, sigma)) {
+    case ToneBlur::exact:
+        return blur_exact(render, *this);
+    case ToneBlur::recursive:
+        return blur_recursive(render, *this, scratch);
+    case ToneBlur::half:
+        return blur_halved(render, *this, scratch);
+    case ToneBlur::kawase:
+        return blur_kawase(render, *this, scratch);
+    case ToneBlur::separable:
+        return blur_separable(render, *this, scratch[0]);
+    }
 }
 
 } // namespace hachure
