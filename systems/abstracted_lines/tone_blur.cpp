@@ -1,3 +1,4 @@
+#include <hachure/systems/abstracted_lines/linear_sampling.h>
 #include <hachure/systems/abstracted_lines/tone_blur_kinds.h>
 
 namespace hachure {
@@ -25,6 +26,7 @@ void BlurDraw::sampled(RenderContext& render, const char* fragment) const {
     gpu::Program& program = render.shaders->program({.vertex = "common/full_screen.vert", .fragment = fragment});
     program.set("first", glm::vec2(valid.x, valid.y) + 0.5f);
     program.set("last", glm::vec2(valid.x + valid.width, valid.y + valid.height) - 0.5f);
+    const LinearSampling between_texels(render, from);
     draw(render, program);
 }
 
