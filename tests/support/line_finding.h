@@ -6,6 +6,7 @@
 #include <hachure/systems/abstracted_lines/line_finder.h>
 #include <hachure/systems/abstracted_lines/tone_blur.h>
 #include <hachure/systems/abstracted_lines/tone_levels.h>
+#include <hachure/systems/abstracted_lines/tone_line_frame.h>
 #include <hachure/systems/abstracted_lines/tone_quality.h>
 #include <hachure/tests/support/line_images.h>
 
@@ -48,7 +49,12 @@ public:
         for (const std::size_t i : {0u, 2u}) points_[i] = make({width, height, gpu::Format::rgba32f}, "points");
         for (const std::size_t i : {1u, 3u}) points_[i] = make({width, height, gpu::Format::rgba16f}, "directions");
         points_[4] = make({width, height, gpu::Format::r32ui}, "owner");
+        layer_ = make({width, height, gpu::Format::rgba16f}, "layer");
+        rects_ = {whole(), whole(), whole()};
     }
+
+    /// Confines the steps to where lines can be; everything, unless it is called.
+    void confine(const ToneRects& rects) { rects_ = rects; }
 
     ~LineFinding() {
         for (const std::uint32_t id : made_) render_.backend->destroy_texture(id);
@@ -85,21 +91,15 @@ public:
     }
 
     void search(LineOutput output) {
-        const bool maps = output == LineOutput::maps;
-        const gpu::Framebuffer& target =
-            maps ? render_.backend->framebuffer({maps_[0], maps_[1], maps_[2]})
-                 : render_.backend->framebuffer({points_[0], points_[1], points_[2], points_[3], points_[4]});
+        const gpu::Framebuffer& target = cleared(output);
         target.bind();
-        gpu::apply({.viewport = whole()});
-        for (int i = 0; i < (maps ? 3 : 4); ++i) target.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
-        if (!maps) target.clear_color(4, std::array{0u, 0u, 0u, 0u});
         const ToneLevel level{blurred_, static_cast<double>(searched_)};
         finder_.run(render_, {.quality = quality_,
                               .levels = std::span(&level, 1),
                               .styles = std::span(&style_, 1),
                               .width = searched_,
                               .least_curvature = least_curvature_,
-                              .rect = whole(),
+                              .rect = rects_.lines,
                               .output = output});
     }
 
@@ -127,6 +127,20 @@ public:
     }
 
 private:
+    const gpu::Framebuffer& cleared(LineOutput output) {
+        const auto& p = points_;
+        const gpu::Framebuffer& target = output == LineOutput::layer ? render_.backend->framebuffer({layer_})
+                                         : output == LineOutput::maps
+                                             ? render_.backend->framebuffer({maps_[0], maps_[1], maps_[2]})
+                                             : render_.backend->framebuffer({p[0], p[1], p[2], p[3], p[4]});
+        target.bind();
+        gpu::apply({.viewport = whole(), .scissor = rects_.lines});
+        const int floats = output == LineOutput::layer ? 1 : output == LineOutput::maps ? 3 : 4;
+        for (int i = 0; i < floats; ++i) target.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+        if (output == LineOutput::points) target.clear_color(4, std::array{0u, 0u, 0u, 0u});
+        return target;
+    }
+
     std::uint32_t make(const gpu::TextureDesc& desc, const char* label) {
         return made_.emplace_back(render_.backend->create_texture(desc, label));
     }
@@ -143,6 +157,8 @@ private:
     std::vector<std::uint32_t> scratch_, made_;
     std::array<std::uint32_t, 3> maps_{};
     std::array<std::uint32_t, 5> points_{};
+    std::uint32_t layer_ = 0;
+    ToneRects rects_;
     LineFinder finder_;
 };
 

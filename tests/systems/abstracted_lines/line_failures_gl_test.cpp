@@ -1,0 +1,327 @@
+// Where the method fails or nearly does (readings of Lee 2007): what must not happen there, and what it still reaches.
+
+#include <hachure/tests/support/gl_fixture.h>
+#include <hachure/tests/support/line_finding.h>
+#include <hachure/tests/support/line_score.h>
+#include <hachure/tests/support/tone_ridge_reference.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace hachure {
+namespace {
+
+using test::LineFinding;
+using test::PixelLine;
+using test::Tones;
+using test::TrueLine;
+
+constexpr double pi = std::numbers::pi;
+
+class LineFailuresTest : public test::GlTest {
+protected:
+    /// What is found in a square picture.
+    static std::vector<PixelLine> find(RenderContext& render, const AbstractedLines& lines, const Tones& tones,
+                                       const ToneImage& quality = {}) {
+        return LineFinding(render, lines, quality, tones.width, tones.height).find(tones);
+    }
+
+    static bool anything_drawn(const std::vector<PixelLine>& lines) {
+        return std::ranges::any_of(lines, [](const PixelLine& p) { return p.dark > 0.0 || p.highlight > 0.0; });
+    }
+};
+
+Tones ramp(int size, double angle, double from, double slope) {
+    const auto line = TrueLine::through_middle(size, size, angle, 0.0);
+    return test::draw_points(size, size, 1, [&](glm::dvec2 p) { return from + slope * line.distance(p); });
+}
+
+TEST_P(LineFailuresTest, FlatTonesAndRampsHaveNoLines) {
+    RenderContext render(context());
+    for (const float beta : {0.0f, 0.2f, 1.0f})
+        for (const double width : {1.5, 3.0, 4.0, 9.0}) {
+            AbstractedLines lines;
+            lines.width = static_cast<float>(width), lines.beta = beta;
+            LineFinding finding(render, lines, {}, 64, 64);
+            for (const double tone : {0.0, 0.37, 1.0}) {
+                EXPECT_FALSE(anything_drawn(finding.find(Tones(64, 64, tone)))) << tone;
+                EXPECT_TRUE(finding.all_finite());
+            }
+            for (const double angle : {0.0, 0.4, pi / 4, 2.0}) {
+                const std::vector<PixelLine> found = finding.find(ramp(64, angle, 0.5, 0.01));
+                EXPECT_TRUE(finding.all_finite()) << angle;
+                for (int y = 20; y < 44; ++y) // at the border of the picture a ramp has edges
+                    for (int x = 20; x < 44; ++x) {
+                        const PixelLine& p = found[static_cast<std::size_t>(y * 64 + x)];
+                        ASSERT_EQ(p.dark + p.highlight, 0.0) << angle << " " << x << " " << y;
+                    }
+            }
+        }
+}
+
+/// Black and white and nothing between, also beyond what tones can be: much is found, and all of it is numbers.
+TEST_P(LineFailuresTest, SaturatedPicturesGiveNumbers) {
+    RenderContext render(context());
+    for (const double width : {0.5, 2.0, 4.0, 16.0})
+        for (const float beta : {0.0f, 0.2f, 1.0f})
+            for (const ToneStorage storage : {ToneStorage::rg16, ToneStorage::rg16f, ToneStorage::rg8}) {
+                AbstractedLines lines;
+                lines.width = static_cast<float>(width), lines.beta = beta;
+                LineFinding finding(render, lines, {.quality = ToneQuality::custom, .storage = storage}, 96, 96);
+                Tones tones(96, 96);
+                for (std::size_t i = 0; i < tones.values.size(); ++i)
+                    tones.values[i] = test::normal_noise(3, i / 5) > 0.0 ? 3.0 : -2.0;
+                const std::vector<PixelLine> found = finding.find(tones, &tones);
+                EXPECT_TRUE(finding.all_finite()) << width << " " << beta;
+                EXPECT_TRUE(anything_drawn(found)) << width << " " << beta;
+                for (const PixelLine& p : found) {
+                    ASSERT_GE(std::min(p.dark, p.highlight), 0.0);
+                    ASSERT_LE(std::max(p.dark, p.highlight), 1.0);
+                }
+            }
+}
+
+TEST_P(LineFailuresTest, MovedByWholePixelsTheyAreTheSameBitForBit) {
+    RenderContext render(context());
+    AbstractedLines lines;
+    lines.width = 5.0f;
+    LineFinding finding(render, lines, {}, 128, 128);
+    Tones tones(128, 128);
+    for (std::size_t i = 0; i < tones.values.size(); ++i) tones.values[i] = 0.5 + 0.2 * test::normal_noise(5, i / 3);
+    Tones moved = tones;
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x) moved.at(x, y) = tones.clamped(x - 7, y + 3);
+    const std::vector<PixelLine> a = finding.find(tones), b = finding.find(moved);
+    for (int y = 40; y < 88; ++y)
+        for (int x = 40; x < 88; ++x) {
+            const PixelLine& was = a[static_cast<std::size_t>((y + 3) * 128 + x - 7)];
+            const PixelLine& is = b[static_cast<std::size_t>(y * 128 + x)];
+            // Places are rounded to floats, whose steps grow with the place.
+            ASSERT_NEAR(was.offset.x, is.offset.x, 2e-3) << x << " " << y;
+            ASSERT_NEAR(was.offset.y, is.offset.y, 2e-3) << x << " " << y;
+            ASSERT_NEAR(was.dark, is.dark, 2e-3) << x << " " << y;
+        }
+}
+
+/// Where the fit is the same the search is: the shaders against the search in double precision.
+TEST_P(LineFailuresTest, TheSearchIsThatOfTheReference) {
+    RenderContext render(context());
+    for (const double width : {3.0, 6.0, 11.0}) {
+        const int size = 2 * static_cast<int>(4.0 * width + 10.0);
+        const auto line = TrueLine::through_middle(size, size, 0.7, 0.2);
+        const Tones tones = test::draw_line(size, size, line, test::profile::Bar{0.3 * width, 0.4}, 0.9, -0.5);
+        const AbstractedLines lines = test::plain_lines(width, 0.5);
+        ToneImage quality{.quality = ToneQuality::custom, .storage = ToneStorage::rg32f, .iterations = 5, .polish = 2};
+        const std::vector<PixelLine> found = find(render, lines, tones, quality);
+        const Tones blurred = test::blurred(tones, 0.5 * width, 3.0);
+        const test::BilinearTone tone{blurred};
+        const test::RidgeSearch search{
+            .width = width, .iterations = 5, .polish = 2, .guard = 0.25 * static_cast<double>(lines.dark_low)};
+        test::LineFit fit(tone, search);
+        int compared = 0;
+        const int rim = static_cast<int>(3.0 * width);
+        for (int y = rim; y < size - rim; ++y)
+            for (int x = rim; x < size - rim; ++x) {
+                const test::FoundLine expected = test::search_line(fit, search, test::pixel_center(x, y));
+                if (!expected.settled || expected.rim > 0.5 * width || expected.curvature < 0.0) continue;
+                const PixelLine& p = found[static_cast<std::size_t>(y * size + x)];
+                ++compared;
+                ASSERT_NEAR(glm::length(p.offset - expected.offset), 0.0, 0.02) << width << " " << x << " " << y;
+                ASSERT_NEAR(p.curvature, expected.curvature, 1e-3) << width << " " << x << " " << y;
+            }
+        EXPECT_GT(compared, 10 * static_cast<int>(width));
+    }
+}
+
+/// Dark bars that meet in the middle of a picture.
+class Junction {
+public:
+    void add(double angle, bool whole) { arms_.push_back({angle, whole}); }
+
+    [[nodiscard]] double distance(glm::dvec2 p) const {
+        double nearest = 1e9;
+        for (const Arm& arm : arms_) {
+            const glm::dvec2 along(std::cos(arm.angle), std::sin(arm.angle)), q = p - glm::dvec2(64.3, 63.8);
+            const double u = glm::dot(q, along);
+            nearest = std::min(nearest, glm::length(q - (arm.whole ? u : std::max(u, 0.0)) * along));
+        }
+        return nearest;
+    }
+
+    /// The part of the pixels of its lines near the middle that are drawn.
+    [[nodiscard]] double recall(const std::vector<PixelLine>& found, double width) const {
+        double inside = 0.0, drawn = 0.0;
+        for (int y = 0; y < 128; ++y)
+            for (int x = 0; x < 128; ++x) {
+                const glm::dvec2 p = test::pixel_center(x, y);
+                if (distance(p) > 0.5 * width || glm::distance(p, glm::dvec2(64.3, 63.8)) > 4.0 * width) continue;
+                inside += 1.0;
+                drawn += found[static_cast<std::size_t>(y * 128 + x)].dark >= 0.5 ? 1.0 : 0.0;
+            }
+        return drawn / inside;
+    }
+
+    [[nodiscard]] Tones draw(double width) const {
+        return test::draw_points(128, 128, 8, [&](glm::dvec2 p) { return distance(p) <= 0.5 * width ? 0.0 : 1.0; });
+    }
+
+private:
+    struct Arm {
+        double angle;
+        bool whole;
+    };
+    std::vector<Arm> arms_;
+};
+
+TEST_P(LineFailuresTest, LinesThatMeetLoseLittle) {
+    RenderContext render(context());
+    Junction square, slanted, tee;
+    square.add(0.2, true), square.add(0.2 + pi / 2, true);
+    slanted.add(0.2, true), slanted.add(0.2 + pi / 4, true);
+    tee.add(0.2, true), tee.add(0.2 + pi / 2, false);
+    const double width = 6.0;
+    const AbstractedLines lines = test::plain_lines(width, 1.0);
+    EXPECT_GE(square.recall(find(render, lines, square.draw(width)), width), 0.97);
+    EXPECT_GE(slanted.recall(find(render, lines, slanted.draw(width)), width), 0.80);
+    EXPECT_GE(tee.recall(find(render, lines, tee.draw(width)), width), 0.93);
+}
+
+/// A bar half a pixel wide: a rasteriser that looks at the middles of pixels sees it in every other one, and four
+/// samples see it everywhere.
+TEST_P(LineFailuresTest, HalfAPixelNeedsFourSamples) {
+    RenderContext render(context());
+    const auto rms = [&](int samples) {
+        double squares = 0.0, count = 0.0;
+        for (int k = 0; k < 8; ++k) {
+            const auto line = TrueLine::through_middle(96, 96, 0.05 + pi * k / 8, test::spread_phase(k));
+            const Tones tones = test::draw_points(
+                96, 96, samples, [&](glm::dvec2 p) { return std::abs(line.distance(p)) <= 0.25 ? 0.0 : 1.0; });
+            const std::vector<PixelLine> found = find(render, test::plain_lines(4.0, 0.1), tones);
+            for (int y = 30; y < 66; ++y)
+                for (int x = 30; x < 66; ++x) {
+                    const double d = line.distance(test::pixel_center(x, y));
+                    const PixelLine& p = found[static_cast<std::size_t>(y * 96 + x)];
+                    if (std::abs(d) > 1.0 || p.dark <= 0.0) continue;
+                    const double error = glm::dot(p.offset, line.normal) + d;
+                    squares += error * error, count += 1.0;
+                }
+        }
+        return std::sqrt(squares / count);
+    };
+    const double one = rms(1), four = rms(2);
+    EXPECT_LE(four, 0.1);
+    EXPECT_GE(one, 2.0 * four);
+}
+
+/// "A bit ratty" (section 1): how far the outline of a drawn circle is from a circle.
+TEST_P(LineFailuresTest, TheOutlineOfACircleIsSmooth) {
+    RenderContext render(context());
+    for (const double width : {2.0, 4.0, 9.0}) {
+        const glm::dvec2 center(80.3, 79.6);
+        const double radius = 50.0;
+        const Tones ring = test::draw_ring(160, 160, center, radius, 0.5 * width, 1.0, -1.0);
+        const std::vector<PixelLine> found = find(render, test::plain_lines(width, 1.0), ring);
+        Tones opacity(160, 160);
+        for (std::size_t i = 0; i < found.size(); ++i) opacity.values[i] = found[i].dark;
+        const test::BilinearTone at{opacity};
+        for (const double side : {-1.0, 1.0}) {
+            double sum = 0.0, squares = 0.0;
+            constexpr int rays = 1000;
+            for (int k = 0; k < rays; ++k) {
+                const double angle = 2.0 * pi * k / rays;
+                const glm::dvec2 out(std::cos(angle), std::sin(angle));
+                double r = 0.0; // from the ring's middle to where half the opacity is left
+                while (r < 2.0 * width && at(center + (radius + side * r) * out) >= 0.5) r += 0.01;
+                sum += r, squares += r * r;
+            }
+            const double mean = sum / rays;
+            EXPECT_LE(std::sqrt(squares / rays - mean * mean), 0.15) << width << " " << side;
+            EXPECT_NEAR(mean, 0.5 * width, 0.15) << width << " " << side;
+        }
+    }
+}
+
+/// An edge of tones has a dark line on its dark side and a highlight on its bright one, each where the blurred edge
+/// bends most: 1.1 to 1.7 deviations of what blur and fit smooth together.
+TEST_P(LineFailuresTest, AnEdgeHasALineOnEachSide) {
+    RenderContext render(context());
+    for (const double width : {4.0, 8.0}) {
+        AbstractedLines lines = test::plain_lines(width, 1.0);
+        lines.beta = 0.1f;
+        const auto edge = TrueLine::through_middle(120, 120, 0.3, 0.2);
+        const Tones tones = test::draw_line(120, 120, edge, test::profile::Step{}, 0.2, 0.6);
+        const std::vector<PixelLine> found = find(render, lines, tones);
+        const double deviation = std::sqrt(0.25 * width * width + width * width / 12.0);
+        double dark = 0.0, dark_place = 0.0, bright = 0.0, bright_place = 0.0;
+        for (int y = 45; y < 75; ++y)
+            for (int x = 30; x < 90; ++x) {
+                const PixelLine& p = found[static_cast<std::size_t>(y * 120 + x)];
+                const double place = edge.distance(test::pixel_center(x, y) + p.offset);
+                dark += p.dark, dark_place += p.dark * place;
+                bright += p.highlight, bright_place += p.highlight * place;
+            }
+        ASSERT_GT(dark, 0.0);
+        ASSERT_GT(bright, 0.0);
+        EXPECT_NEAR(dark_place / dark / deviation, -1.4, 0.3) << width;
+        EXPECT_NEAR(bright_place / bright / deviation, 1.4, 0.3) << width;
+    }
+}
+
+/// The stronger beta, the fewer edges; lines along bars stay (figure 4).
+TEST_P(LineFailuresTest, BetaTakesEdgesAwayAndLeavesLines) {
+    RenderContext render(context());
+    const auto line = TrueLine::through_middle(120, 120, 0.3, 0.2);
+    const Tones edge = test::draw_line(120, 120, line, test::profile::Step{}, 0.2, 0.6);
+    const Tones bar = test::draw_line(120, 120, line, test::profile::Bar{3.0}, 0.8, -0.6);
+    std::vector<double> of_edge, of_bar;
+    for (const float beta : {0.0f, 0.1f, 0.2f, 0.3f, 0.5f, 1.0f}) {
+        AbstractedLines lines = test::plain_lines(6.0, 0.6);
+        lines.beta = beta;
+        const auto ink = [&](const Tones& tones) {
+            double sum = 0.0;
+            for (const PixelLine& p : find(render, lines, tones)) sum += p.dark;
+            return sum;
+        };
+        of_edge.push_back(ink(edge)), of_bar.push_back(ink(bar));
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(of_edge, std::greater<>()));
+    EXPECT_LE(of_edge[2], 0.95 * of_edge[0]);
+    EXPECT_GE(of_edge[2], 0.1 * of_edge[0]);
+    EXPECT_LE(of_edge.back(), 0.02 * of_edge[0]);
+    for (std::size_t i = 1; i + 1 < of_bar.size(); ++i) EXPECT_NEAR(of_bar[i] / of_bar[2], 1.0, 0.05) << i;
+}
+
+/// Thinner than what pixels can show: the same line, drawn thinner and then fainter, never lost at once.
+TEST_P(LineFailuresTest, ThinLinesFade) {
+    RenderContext render(context());
+    const auto line = TrueLine::through_middle(96, 96, 0.4, 0.3);
+    Tones tones = test::draw_line(96, 96, line, test::profile::Bar{1.0}, 1.0, -0.5);
+    test::add_noise(tones, 0.01, 1);
+    double before = 1e9;
+    for (const double width : {3.0, 2.5, 2.0, 1.5, 1.0, 0.7, 0.4, 0.1}) {
+        const std::vector<PixelLine> found = find(render, test::plain_lines(width, 0.5), tones);
+        double ink = 0.0, squares = 0.0, count = 0.0;
+        for (int y = 30; y < 66; ++y)
+            for (int x = 30; x < 66; ++x) {
+                const PixelLine& p = found[static_cast<std::size_t>(y * 96 + x)];
+                ink += p.dark;
+                if (p.dark <= 0.0) continue;
+                const double error = glm::dot(p.offset, line.normal) + line.distance(test::pixel_center(x, y));
+                squares += error * error, count += 1.0;
+            }
+        const double length = 36.0 / std::cos(0.4);
+        EXPECT_NEAR(ink / length, width, 0.1 * width + 0.05) << width;
+        EXPECT_LT(ink, before) << width;
+        EXPECT_LE(std::sqrt(squares / count), 0.1) << width;
+        before = ink;
+    }
+}
+
+HACHURE_INSTANTIATE_GL_TESTS(LineFailuresTest);
+
+} // namespace
+} // namespace hachure
