@@ -1,11 +1,9 @@
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/systems/abstracted_lines/line_finder.h>
-#include <hachure/systems/abstracted_lines/linear_sampling.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <optional>
 #include <string>
 
@@ -78,8 +76,6 @@ void LineFinder::run(RenderContext& render, const LineFindJob& job) {
     if (linear_.name() == 0) linear_ = gpu::Sampler(gpu::Sampling{}, "tones between texels");
     for (const GLuint unit : {0u, 1u}) linear_.bind(unit);
     const std::size_t passes = std::max<std::size_t>(1, job.levels.size() - 1);
-    std::deque<LinearSampling> between_texels;
-    for (const ToneLevel& level : job.levels) between_texels.emplace_back(render, level.texture);
     for (std::size_t i = 0; i < passes; ++i) {
         render.backend->texture(job.levels[i].texture).bind(0);
         if (job.levels.size() > 1) {

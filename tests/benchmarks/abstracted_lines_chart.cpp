@@ -67,15 +67,10 @@ void search_panel(Chart& chart) {
     for (const Taps& taps :
          {Taps{"square", ToneTaps::square}, {"weighted", ToneTaps::weighted}, {"wide", ToneTaps::wide}})
         for (int iterations = 1; iterations <= 8; ++iterations) {
-            const Finding finding{taps.name, custom({.taps = taps.taps, .iterations = iterations, .polish = 1})};
+            const Finding finding{taps.name, custom({.taps = taps.taps, .iterations = iterations})};
             chart.write("search", taps.name, std::to_string(iterations), chart.ms_per_megapixel(finding),
                         chart.rms(finding, all_widths));
         }
-    for (int polish = 0; polish <= 4; ++polish) {
-        const Finding finding{"polish", custom({.iterations = 3, .polish = polish})};
-        chart.write("search", "polish", std::to_string(polish), chart.ms_per_megapixel(finding),
-                    chart.rms(finding, all_widths));
-    }
     for (const auto& [name, quality] : {std::pair{"standard", ToneQuality::standard},
                                         {"fast", ToneQuality::fast},
                                         {"accurate", ToneQuality::accurate}}) {
@@ -95,7 +90,7 @@ void blur_panel(Chart& chart) {
                              {"half", ToneBlur::half},
                              {"kawase", ToneBlur::kawase}})
         for (const double width : {4.0, 8.0, 16.0, 24.0}) {
-            const Finding finding{kind.name, custom({.blur = kind.blur, .iterations = 5, .polish = 2}), width};
+            const Finding finding{kind.name, custom({.blur = kind.blur, .iterations = 6}), width};
             chart.write("blur", kind.name, fmt::format("{}", width), chart.ms_per_megapixel(finding, true),
                         chart.rms(finding, {width}));
         }
@@ -111,7 +106,7 @@ void storage_panel(Chart& chart) {
                                    {"rg16f", ToneStorage::rg16f},
                                    {"rg32f", ToneStorage::rg32f}})
         for (const double contrast : {1.0, 0.1, 0.03}) {
-            const Finding finding{storage.name, custom({.storage = storage.storage, .iterations = 5, .polish = 2})};
+            const Finding finding{storage.name, custom({.storage = storage.storage, .iterations = 6})};
             chart.write("storage", storage.name, fmt::format("{}", contrast), chart.ms_per_megapixel(finding),
                         chart.rms(finding, {4.0, 16.0}, contrast));
         }

@@ -115,12 +115,12 @@ TEST_P(LineFailuresTest, TheSearchIsThatOfTheReference) {
         const auto line = TrueLine::through_middle(size, size, 0.7, 0.2);
         const Tones tones = test::draw_line(size, size, line, test::profile::Bar{0.3 * width, 0.4}, 0.9, -0.5);
         const AbstractedLines lines = test::plain_lines(width, 0.5);
-        ToneImage quality{.quality = ToneQuality::custom, .storage = ToneStorage::rg32f, .iterations = 5, .polish = 2};
+        ToneImage quality{.quality = ToneQuality::custom, .storage = ToneStorage::rg32f, .iterations = 8};
         const std::vector<PixelLine> found = find(render, lines, tones, quality);
         const Tones blurred = test::blurred(tones, 0.5 * width, 3.0);
         const test::BilinearTone tone{blurred};
         const test::RidgeSearch search{
-            .width = width, .iterations = 5, .polish = 2, .guard = 0.25 * static_cast<double>(lines.dark_low)};
+            .width = width, .iterations = 5, .polish = 4, .guard = 0.25 * static_cast<double>(lines.dark_low)};
         test::LineFit fit(tone, search);
         int compared = 0;
         const int rim = static_cast<int>(3.0 * width);
