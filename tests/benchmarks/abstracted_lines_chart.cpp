@@ -116,7 +116,7 @@ void storage_panel(Chart& chart) {
 void beta_panel(Chart& chart) {
     for (const int iterations : {1, 2, 3, 5, 8})
         for (const float beta : {0.05f, 0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 1.0f}) {
-            const Finding finding{"beta", custom({.iterations = iterations, .polish = 2}), 4.0, beta};
+            const Finding finding{"beta", custom({.iterations = iterations}), 4.0, beta};
             chart.write("beta", std::to_string(iterations), fmt::format("{:.2f}", beta), static_cast<double>(beta),
                         chart.rms(finding, all_widths));
         }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -65,14 +66,14 @@ TEST_P(LineAccuracyTest, RidgesAreFoundWhereTheyAre) {
         }
 }
 
-/// Noise moves a line by .4 noise / contrast pixels, so of the pixels of its rims 2 * .32 noise / (contrast width) / 2
-/// change sides: .995 of a line are left while noise <= .0125 contrast * width.
+/// Noise moves a line by .4 noise / contrast pixels, and so takes pixels from its rims: .995 of a line are left while
+/// noise <= .01 contrast * width, up to a tenth of the contrast.
 TEST_P(LineAccuracyTest, NoiseCostsNoMoreThanItMust) {
     RenderContext render(context());
     for (const double noise : {0.002, 0.02})
         for (const double width : {3.0, 8.0, 24.0})
             for (const double contrast : {1.0, 0.3, 0.1, 0.03}) {
-                if (noise > 0.0125 * contrast * width) continue;
+                if (noise > contrast * std::min(0.01 * width, 0.1)) continue;
                 const LineSweep sweep{.width = width, .contrast = contrast, .noise = noise, .angles = angles()};
                 expect_accurate(sweep.score(render, test::profile::Bar{0.5 * width}), sweep);
             }

@@ -85,7 +85,7 @@ TEST_P(LineFailuresTest, SaturatedPicturesGiveNumbers) {
             }
 }
 
-TEST_P(LineFailuresTest, MovedByWholePixelsTheyAreTheSameBitForBit) {
+TEST_P(LineFailuresTest, MovedByWholePixelsTheyMoveAlong) {
     RenderContext render(context());
     AbstractedLines lines;
     lines.width = 5.0f;
@@ -103,7 +103,7 @@ TEST_P(LineFailuresTest, MovedByWholePixelsTheyAreTheSameBitForBit) {
             // Places are rounded to floats, whose steps grow with the place.
             ASSERT_NEAR(was.offset.x, is.offset.x, 2e-3) << x << " " << y;
             ASSERT_NEAR(was.offset.y, is.offset.y, 2e-3) << x << " " << y;
-            ASSERT_NEAR(was.dark, is.dark, 2e-3) << x << " " << y;
+            ASSERT_NEAR(was.dark, is.dark, 0.01) << x << " " << y;
         }
 }
 
@@ -130,7 +130,7 @@ TEST_P(LineFailuresTest, TheSearchIsThatOfTheReference) {
                 if (!expected.settled || expected.rim > 0.5 * width || expected.curvature < 0.0) continue;
                 const PixelLine& p = found[static_cast<std::size_t>(y * size + x)];
                 ++compared;
-                ASSERT_NEAR(glm::length(p.offset - expected.offset), 0.0, 0.02) << width << " " << x << " " << y;
+                ASSERT_NEAR(glm::length(p.offset - expected.offset), 0.0, 0.03) << width << " " << x << " " << y;
                 ASSERT_NEAR(p.curvature, expected.curvature, 1e-3) << width << " " << x << " " << y;
             }
         EXPECT_GT(compared, 10 * static_cast<int>(width));
@@ -190,31 +190,28 @@ TEST_P(LineFailuresTest, LinesThatMeetLoseLittle) {
     EXPECT_GE(tee.recall(find(render, lines, tee.draw(width)), width), 0.93);
 }
 
-/// A bar half a pixel wide: a rasteriser that looks at the middles of pixels sees it in every other one, and four
-/// samples see it everywhere.
+/// A bar half a pixel wide, steeper than a pixel in ten: a rasteriser that looks at the middles of pixels misses it in
+/// long stretches, one with four samples sees it everywhere.
 TEST_P(LineFailuresTest, HalfAPixelNeedsFourSamples) {
     RenderContext render(context());
-    const auto rms = [&](int samples) {
-        double squares = 0.0, count = 0.0;
-        for (int k = 0; k < 8; ++k) {
-            const auto line = TrueLine::through_middle(96, 96, 0.05 + pi * k / 8, test::spread_phase(k));
-            const Tones tones = test::draw_points(
-                96, 96, samples, [&](glm::dvec2 p) { return std::abs(line.distance(p)) <= 0.25 ? 0.0 : 1.0; });
-            const std::vector<PixelLine> found = find(render, test::plain_lines(4.0, 0.1), tones);
+    LineFinding finding(render, test::plain_lines(4.0, 0.1), {}, 96, 96);
+    const auto seen = [&](int samples) {
+        double drawn = 0.0, all = 0.0;
+        for (int k = 0; k < 4; ++k) {
+            const auto line = TrueLine::through_middle(96, 96, 0.05, test::spread_phase(k));
+            const std::vector<PixelLine> found = finding.find(test::draw_points(
+                96, 96, samples, [&](glm::dvec2 p) { return std::abs(line.distance(p)) <= 0.25 ? 0.0 : 1.0; }));
             for (int y = 30; y < 66; ++y)
                 for (int x = 30; x < 66; ++x) {
-                    const double d = line.distance(test::pixel_center(x, y));
-                    const PixelLine& p = found[static_cast<std::size_t>(y * 96 + x)];
-                    if (std::abs(d) > 1.0 || p.dark <= 0.0) continue;
-                    const double error = glm::dot(p.offset, line.normal) + d;
-                    squares += error * error, count += 1.0;
+                    if (std::abs(line.distance(test::pixel_center(x, y))) > 1.0) continue;
+                    all += 1.0;
+                    drawn += found[static_cast<std::size_t>(y * 96 + x)].dark > 0.5 ? 1.0 : 0.0;
                 }
         }
-        return std::sqrt(squares / count);
+        return drawn / all;
     };
-    const double one = rms(1), four = rms(2);
-    EXPECT_LE(four, 0.1);
-    EXPECT_GE(one, 2.0 * four);
+    EXPECT_LE(seen(1), 0.75);
+    EXPECT_GE(seen(2), 0.99);
 }
 
 /// "A bit ratty" (section 1): how far the outline of a drawn circle is from a circle.
@@ -240,7 +237,9 @@ TEST_P(LineFailuresTest, TheOutlineOfACircleIsSmooth) {
             }
             const double mean = sum / rays;
             EXPECT_LE(std::sqrt(squares / rays - mean * mean), 0.15) << width << " " << side;
-            EXPECT_NEAR(mean, 0.5 * width, 0.15) << width << " " << side;
+            // A blurred ring is narrower than it was drawn: s^2 / 2 r.
+            const double searched = std::max(width, 3.0), shrunk = searched * searched / 3.0 / (2.0 * radius);
+            EXPECT_NEAR(mean, 0.5 * width - side * shrunk, 0.1) << width << " " << side;
         }
     }
 }
@@ -271,7 +270,7 @@ TEST_P(LineFailuresTest, AnEdgeHasALineOnEachSide) {
     }
 }
 
-/// The stronger beta, the fewer edges; lines along bars stay (figure 4).
+/// The larger beta, the fewer edges; lines along bars stay (figure 4).
 TEST_P(LineFailuresTest, BetaTakesEdgesAwayAndLeavesLines) {
     RenderContext render(context());
     const auto line = TrueLine::through_middle(120, 120, 0.3, 0.2);
@@ -279,11 +278,11 @@ TEST_P(LineFailuresTest, BetaTakesEdgesAwayAndLeavesLines) {
     const Tones bar = test::draw_line(120, 120, line, test::profile::Bar{3.0}, 0.8, -0.6);
     std::vector<double> of_edge, of_bar;
     for (const float beta : {0.0f, 0.1f, 0.2f, 0.3f, 0.5f, 1.0f}) {
-        AbstractedLines lines = test::plain_lines(6.0, 0.6);
-        lines.beta = beta;
+        AbstractedLines lines{.width = 6.0f, .beta = beta, .fade = 0.0f, .counterchange = 0.0f};
+        LineFinding finding(render, lines, {}, 120, 120);
         const auto ink = [&](const Tones& tones) {
             double sum = 0.0;
-            for (const PixelLine& p : find(render, lines, tones)) sum += p.dark;
+            for (const PixelLine& p : finding.find(tones)) sum += p.dark;
             return sum;
         };
         of_edge.push_back(ink(edge)), of_bar.push_back(ink(bar));
@@ -292,7 +291,7 @@ TEST_P(LineFailuresTest, BetaTakesEdgesAwayAndLeavesLines) {
     EXPECT_LE(of_edge[2], 0.95 * of_edge[0]);
     EXPECT_GE(of_edge[2], 0.1 * of_edge[0]);
     EXPECT_LE(of_edge.back(), 0.02 * of_edge[0]);
-    for (std::size_t i = 1; i + 1 < of_bar.size(); ++i) EXPECT_NEAR(of_bar[i] / of_bar[2], 1.0, 0.05) << i;
+    for (const double ink : of_bar) EXPECT_NEAR(ink / of_bar[0], 1.0, 0.05);
 }
 
 /// Thinner than what pixels can show: the same line, drawn thinner and then fainter, never lost at once.
