@@ -136,7 +136,12 @@ void main() {
 #ifndef STACK
     float width = style.line.x; // one below the narrowest that is searched for is drawn thinner
 #endif
-    Stroke diffuse = stroke_of(here, fit, 0, search, width, style);
-    Stroke specular = stroke_of(here, fit, 1, search, width, style);
+    Stroke diffuse = no_stroke(), specular = no_stroke();
+#if CHANNELS != 2
+    diffuse = stroke_of(here, fit, 0, search, width, style);
+#endif
+#if CHANNELS != 1
+    specular = stroke_of(here, fit, 1, search, width, style);
+#endif
     write_strokes(diffuse, specular, width, owner, fit.tone, style);
 }

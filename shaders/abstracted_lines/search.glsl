@@ -39,8 +39,7 @@ const float longest_step = 1.0;
 // By how much the distance that the fit shows falls along a way to the middle: taps half a width apart flatten the top of
 // a blurred bar of the width that is looked for by .16, of a thin line by .23.
 const float first_slope = 0.87;
-// Of that a fit beside a line may see: at the rim of a bar it is a quarter of the curvature of its middle.
-const float rim_part = 0.25;
+#include "abstracted_lines/guard.glsl"
 
 float curvature_of(Fit f, int channel) { return larger_eigenvalue(f.xx[channel], f.xy[channel], f.yy[channel]); }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -18,9 +19,12 @@ std::optional<int> whole_spacing(const LineFindJob& job) {
     return static_cast<int>(spacing);
 }
 
-gpu::ProgramSource program_source(const LineFindJob& job) {
-    gpu::ProgramSource source{.vertex = "common/full_screen.vert", .fragment = "abstracted_lines/lines.frag"};
+/// `channels`: 1 for the diffuse one, 2 for the specular one, 3 for both.
+gpu::ProgramSource program_source(const LineFindJob& job, int channels) {
+    gpu::ProgramSource source{.vertex = job.mark_first ? "abstracted_lines/marked.vert" : "common/full_screen.vert",
+                              .fragment = "abstracted_lines/lines.frag"};
     const auto define = [&](const char* name, const std::string& value) { source.defines.push_back({name, value}); };
+    define("CHANNELS", std::to_string(channels));
     define("TAPS", std::to_string(static_cast<int>(job.quality.taps)));
     define("ITERATIONS", std::to_string(job.quality.iterations));
     if (const auto spacing = whole_spacing(job)) define("WHOLE_SPACING", std::to_string(*spacing));
@@ -39,6 +43,18 @@ void set_uniforms(const LineFindJob& job, const gpu::TextureDesc& desc, gpu::Pro
     program.set("object_area", glm::ivec4(0, 0, desc.width - 1, desc.height - 1));
     const double widest = std::max<double>(job.levels.back().width, job.width);
     program.set("owner_reach", static_cast<float>(std::ceil(widest)));
+}
+
+/// The least threshold of each kind of line that some style draws.
+glm::vec4 least_thresholds(std::span<const ToneLineStyle> styles) {
+    glm::vec4 least(std::numeric_limits<float>::max());
+    for (const ToneLineStyle& style : styles) {
+        const glm::vec4& limits = style.thresholds;
+        const glm::vec4 of_kind(limits.x, limits.z, limits.z, limits.x);
+        for (int kind = 0; kind < 4; ++kind)
+            if (style.kinds[kind] > 0.0f && style.line.w > 0.0f) least[kind] = std::min(least[kind], of_kind[kind]);
+    }
+    return least;
 }
 
 void set_level(const LineFindJob& job, std::size_t i, gpu::Program& program) {
@@ -62,18 +78,37 @@ void LineFinder::upload(const LineFindJob& job) {
         buffer_.bind_base(gpu::BufferBinding::storage, 0);
 }
 
-void LineFinder::run(RenderContext& render, const LineFindJob& job) {
-    HACHURE_ASSERT(!job.levels.empty() && !job.styles.empty(), "there is a tone image, and a style");
-    upload(job);
+void LineFinder::mark_candidates(RenderContext& render, const LineFindJob& job) const {
+    const int spacing = std::max(1, static_cast<int>(std::lround(0.5f * job.width)));
+    const int taps = std::min(static_cast<int>(job.quality.taps), 1); // of a 5 x 5 fit the 3 x 3 tells enough
+    gpu::Program& program = render.shaders->program(
+        {.vertex = "common/full_screen.vert",
+         .fragment = "abstracted_lines/candidates.frag",
+         .defines = {{"TAPS", std::to_string(taps)}, {"WHOLE_SPACING", std::to_string(spacing)}}});
+    program.set("thresholds", least_thresholds(job.styles));
+    program.set("slack", whole_spacing(job) ? 1.0f : 0.6f);
     const gpu::TextureDesc& desc = render.backend->texture(job.levels.front().texture).desc();
-    gpu::Program& program = render.shaders->program(program_source(job));
-    set_uniforms(job, desc, program);
     gpu::apply({.viewport = {0, 0, desc.width, desc.height},
                 .scissor = job.rect,
+                .depth_test = gpu::DepthTest::always,
+                .depth_write = true,
+                .color_write = {false, false, false, false}});
+    render.backend->texture(job.levels.front().texture).bind(0);
+    program.use();
+    render.full_screen.draw();
+}
+
+void LineFinder::search(RenderContext& render, const LineFindJob& job, int channels) const {
+    const gpu::TextureDesc& desc = render.backend->texture(job.levels.front().texture).desc();
+    gpu::Program& program = render.shaders->program(program_source(job, channels));
+    set_uniforms(job, desc, program);
+    program.set("depth", 0.25f * static_cast<float>(channels));
+    gpu::apply({.viewport = {0, 0, desc.width, desc.height},
+                .scissor = job.rect,
+                .depth_test = job.mark_first ? gpu::DepthTest::equal : gpu::DepthTest::off,
                 .blend = job.output == LineOutput::layer ? gpu::Blend::premultiplied : gpu::Blend::off});
     if (job.object_ids) render.backend->texture(job.object_ids).bind(2);
     program.use();
-    if (linear_.name() == 0) linear_ = gpu::Sampler(gpu::Sampling{}, "tones between texels");
     for (const GLuint unit : {0u, 1u}) linear_.bind(unit);
     const std::size_t passes = std::max<std::size_t>(1, job.levels.size() - 1);
     for (std::size_t i = 0; i < passes; ++i) {
@@ -86,6 +121,16 @@ void LineFinder::run(RenderContext& render, const LineFindJob& job) {
         render.full_screen.draw();
     }
     for (const GLuint unit : {0u, 1u}) gpu::Sampler::unbind(unit);
+}
+
+void LineFinder::run(RenderContext& render, const LineFindJob& job) {
+    HACHURE_ASSERT(!job.levels.empty() && !job.styles.empty(), "there is a tone image, and a style");
+    HACHURE_ASSERT(!job.mark_first || job.levels.size() == 1, "candidates are of one width");
+    upload(job);
+    if (linear_.name() == 0) linear_ = gpu::Sampler(gpu::Sampling{}, "tones between texels");
+    if (!job.mark_first) return search(render, job, 3);
+    mark_candidates(render, job);
+    for (const int channels : {1, 2, 3}) search(render, job, channels);
 }
 
 } // namespace hachure

@@ -40,6 +40,9 @@ struct LineFindJob {
     float least_curvature = 0.0f;          ///< of any style
     gpu::Rect rect;                        ///< where lines can be
     LineOutput output = LineOutput::layer;
+    /// The framebuffer has a depth buffer, clear where lines can be: pixels that can have one are marked there first,
+    /// and no others are searched. Widths must not vary.
+    bool mark_first = false;
 };
 
 /// Runs the job, and keeps the buffer that it needs.
@@ -50,6 +53,9 @@ public:
 
 private:
     void upload(const LineFindJob& job);
+    void mark_candidates(RenderContext& render, const LineFindJob& job) const;
+    /// Of the pixels that are marked for these channels, or of all.
+    void search(RenderContext& render, const LineFindJob& job, int channels) const;
     gpu::Sampler linear_; ///< the frame graph's textures are read without a filter by themselves
     gpu::Buffer buffer_;
     bool uniform_ = false; ///< what the buffer is for

@@ -54,7 +54,8 @@ struct BlurPass {
 struct FindPass {
     std::vector<TextureHandle> levels, targets;
     TextureHandle object_ids;
-    bool clear = false; ///< the targets are new
+    TextureHandle candidates; ///< depth that marks the pixels which are searched
+    bool clear = false;       ///< the targets are new
 };
 
 std::uint64_t styles_key(const ToneLineFrame& frame) {
@@ -116,7 +117,8 @@ void find_lines(World& world, const FindPass& data, gpu::PassContext& pass, Line
                         .width = frame.widest,
                         .least_curvature = frame.least_curvature,
                         .rect = frame.rects.lines,
-                        .output = output});
+                        .output = output,
+                        .mark_first = bool(data.candidates)});
 }
 
 void declare_find(World& world, gpu::PassBuilder& pass, const std::vector<TextureHandle>& levels, bool owners,
@@ -271,6 +273,8 @@ void ToneLinePasses::declare_lines(World& world, const Textures& textures) {
             data.targets = {below ? pass.write(below)
                                   : pass.create("line_layer", {view.width, view.height, gpu::Format::rgba16f})};
             graph.publish("line_layer", data.targets.front());
+            if (!world.resource<ToneLineFrame>().varying)
+                data.candidates = pass.create("line_candidates", {view.width, view.height, gpu::Format::depth32f});
             pass.depends_on(cleared.x, cleared.y, cleared.width, cleared.height);
         },
         [this, &world, &render, cleared](const FindPass& data, gpu::PassContext& pass) {
@@ -278,7 +282,18 @@ void ToneLinePasses::declare_lines(World& world, const Textures& textures) {
             // Compose looks at the rectangle of all lines alone, who asks for the layer as an AOV at all of it.
             const bool whole = !world.resource<FrameRequests>().aovs.empty();
             if (data.clear) clear(layer, 0, {0.0f, 0.0f, 0.0f, 0.0f}, whole ? std::nullopt : std::optional(cleared));
-            layer.bind();
+            if (!data.candidates) {
+                layer.bind();
+            } else {
+                const gpu::Framebuffer& marked =
+                    render.backend->framebuffer({pass.texture(data.targets.front())}, pass.texture(data.candidates));
+                marked.bind();
+                gpu::apply({.viewport = {0, 0, marked.width(), marked.height()},
+                            .scissor = world.resource<ToneLineFrame>().rects.lines,
+                            .depth_test = gpu::DepthTest::always,
+                            .depth_write = true});
+                marked.clear_depth(1.0f);
+            }
             find_lines(world, data, pass, finder_, LineOutput::layer);
         });
 }

@@ -31,12 +31,12 @@ public:
 
     /// The ms of a megapixel that lines can be in.
     double ms_per_megapixel(const Finding& finding, bool blur_alone = false) {
-        const Cost cost = cost_of(render_, finding, tones_, quick_ ? 1 : 11);
+        const Cost cost = cost_of(render_, finding, tones_, quick_ ? 1 : 5);
         return (blur_alone ? cost.blur_ms : cost.ms()) / megapixels_;
     }
 
     double rms(const Finding& finding, const std::vector<double>& widths, double contrast = 1.0) {
-        return accuracy_of(render_, finding, widths, contrast, quick_ ? 2 : 16).rms;
+        return accuracy_of(render_, finding, widths, contrast, quick_ ? 2 : 12).rms;
     }
 
     void write(std::string_view panel, std::string_view series, const std::string& label, double x, double y) {

@@ -50,6 +50,7 @@ public:
         for (const std::size_t i : {1u, 3u}) points_[i] = make({width, height, gpu::Format::rgba16f}, "directions");
         points_[4] = make({width, height, gpu::Format::r32ui}, "owner");
         layer_ = make({width, height, gpu::Format::rgba16f}, "layer");
+        candidates_ = make({width, height, gpu::Format::depth32f}, "candidates");
         rects_ = {whole(), whole(), whole()};
     }
 
@@ -100,7 +101,8 @@ public:
                               .width = searched_,
                               .least_curvature = least_curvature_,
                               .rect = rects_.lines,
-                              .output = output});
+                              .output = output,
+                              .mark_first = output == LineOutput::layer});
     }
 
     [[nodiscard]] std::vector<PixelLine> read(bool specular = false) const {
@@ -129,12 +131,14 @@ public:
 private:
     const gpu::Framebuffer& cleared(LineOutput output) {
         const auto& p = points_;
-        const gpu::Framebuffer& target = output == LineOutput::layer ? render_.backend->framebuffer({layer_})
-                                         : output == LineOutput::maps
-                                             ? render_.backend->framebuffer({maps_[0], maps_[1], maps_[2]})
-                                             : render_.backend->framebuffer({p[0], p[1], p[2], p[3], p[4]});
+        const gpu::Framebuffer& target =
+            output == LineOutput::layer  ? render_.backend->framebuffer({layer_}, candidates_)
+            : output == LineOutput::maps ? render_.backend->framebuffer({maps_[0], maps_[1], maps_[2]})
+                                         : render_.backend->framebuffer({p[0], p[1], p[2], p[3], p[4]});
         target.bind();
-        gpu::apply({.viewport = whole(), .scissor = rects_.lines});
+        gpu::apply(
+            {.viewport = whole(), .scissor = rects_.lines, .depth_test = gpu::DepthTest::always, .depth_write = true});
+        if (output == LineOutput::layer) target.clear_depth(1.0f);
         const int floats = output == LineOutput::layer ? 1 : output == LineOutput::maps ? 3 : 4;
         for (int i = 0; i < floats; ++i) target.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
         if (output == LineOutput::points) target.clear_color(4, std::array{0u, 0u, 0u, 0u});
@@ -157,7 +161,7 @@ private:
     std::vector<std::uint32_t> scratch_, made_;
     std::array<std::uint32_t, 3> maps_{};
     std::array<std::uint32_t, 5> points_{};
-    std::uint32_t layer_ = 0;
+    std::uint32_t layer_ = 0, candidates_ = 0;
     ToneRects rects_;
     LineFinder finder_;
 };

@@ -107,7 +107,7 @@ TEST_P(LineFailuresTest, MovedByWholePixelsTheyMoveAlong) {
         }
 }
 
-/// Where the fit is the same the search is: the shaders against the search in double precision.
+/// The shaders against the search in double precision, but for pixels so near the rim that they may call it an edge.
 TEST_P(LineFailuresTest, TheSearchIsThatOfTheReference) {
     RenderContext render(context());
     for (const double width : {3.0, 6.0, 11.0}) {
@@ -127,13 +127,13 @@ TEST_P(LineFailuresTest, TheSearchIsThatOfTheReference) {
         for (int y = rim; y < size - rim; ++y)
             for (int x = rim; x < size - rim; ++x) {
                 const test::FoundLine expected = test::search_line(fit, search, test::pixel_center(x, y));
-                if (!expected.settled || expected.rim > 0.5 * width || expected.curvature < 0.0) continue;
+                if (!expected.settled || expected.rim > 0.35 * width || expected.curvature < 0.0) continue;
                 const PixelLine& p = found[static_cast<std::size_t>(y * size + x)];
                 ++compared;
                 ASSERT_NEAR(glm::length(p.offset - expected.offset), 0.0, 0.03) << width << " " << x << " " << y;
                 ASSERT_NEAR(p.curvature, expected.curvature, 1e-3) << width << " " << x << " " << y;
             }
-        EXPECT_GT(compared, 10 * static_cast<int>(width));
+        EXPECT_GT(compared, 5 * static_cast<int>(width));
     }
 }
 
@@ -278,7 +278,8 @@ TEST_P(LineFailuresTest, BetaTakesEdgesAwayAndLeavesLines) {
     const Tones bar = test::draw_line(120, 120, line, test::profile::Bar{3.0}, 0.8, -0.6);
     std::vector<double> of_edge, of_bar;
     for (const float beta : {0.0f, 0.1f, 0.2f, 0.3f, 0.5f, 1.0f}) {
-        AbstractedLines lines{.width = 6.0f, .beta = beta, .fade = 0.0f, .counterchange = 0.0f};
+        AbstractedLines lines = test::plain_lines(6.0, 0.6);
+        lines.beta = beta, lines.dark_low = 0.01f, lines.dark_high = 0.03f;
         LineFinding finding(render, lines, {}, 120, 120);
         const auto ink = [&](const Tones& tones) {
             double sum = 0.0;
