@@ -72,6 +72,7 @@ void register_velocity(App& app) {
         .after("metal.pass")
         .after("toon.pass")
         .after("edge_lines.pass")
+        .after("abstracted_lines.pass")
         .before("compose.passes");
 }
 
