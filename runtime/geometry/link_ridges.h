@@ -1,0 +1,105 @@
+#pragma once
+
+#include <hachure/runtime/geometry/chain_segments.h>
+#include <hachure/runtime/geometry/polylines.h>
+#include <hachure/runtime/geometry/trace_ridges.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hachure::geometry {
+
+/// Makes lines of the pieces that TraceRidgesJob found: links them, closes gaps, and leaves short ones out.
+///
+/// Lines that touch are made to meet in one point. Elsewhere there is no ridge of one direction where lines meet, and
+/// each ends about half a width before the others. A free end goes on to another one that it faces, several that face
+/// each other to the place where they would meet, and one that faces no end to the line ahead of it.
+struct LinkRidgesJob {
+    std::span<const RidgeNode> nodes;
+    std::span<const SegmentEnds> segments; ///< between nodes
+    float gap = 1.0f;                      ///< how far an end may look ahead, pixels,
+    float gap_widths = 0.75f;              ///< plus so many widths of its line
+    float min_length = 0.0f;               ///< shorter lines with a free end are left out, pixels,
+    float min_length_widths = 0.0f;        ///< plus so many widths
+
+    /// Out, kept from run to run; sorted by nothing but where they were found. Lines are at least two points long.
+    PolylineSet lines{};
+
+    /// Asserts that segments are between nodes.
+    void validate() const;
+    void run();
+
+    /// Scratch, kept from run to run.
+    struct FreeEnd {
+        std::uint32_t node;
+        glm::vec2 ahead; ///< unit: where the line would go on
+        float reach;     ///< pixels
+        std::uint32_t cluster;
+    };
+    /// Where a node is on its chain.
+    struct NodePlace {
+        std::uint32_t chain;
+        float arc; ///< pixels from the chain's beginning
+    };
+    struct Linked {
+        std::vector<RidgeNode> nodes;
+        std::vector<SegmentEnds> segments;
+        std::vector<float> lengths;
+        std::vector<ChainedSegment> order;
+        std::vector<std::uint32_t> degree; ///< per node: how many segments end there
+        ChainSegmentsJob chains;
+    };
+    /// The place nearest to several straight lines (least squares), by the sums of its normal equations.
+    struct MeetingPlace {
+        float xx = 0.0f, xy = 0.0f, yy = 0.0f;
+        glm::vec2 right{0.0f}, sum{0.0f};
+        float count = 0.0f;
+
+        void add(glm::vec2 place, glm::vec2 direction);
+        /// The mean of the places that were given where the lines are all but parallel.
+        [[nodiscard]] glm::vec2 solve() const;
+    };
+    /// A line that ends at a crossing.
+    struct Arm {
+        std::uint32_t node; ///< the crossing
+        glm::vec2 place, direction;
+    };
+    Linked linked{};
+    std::vector<FreeEnd> free_ends{};
+    std::vector<NodePlace> places{};
+    std::vector<Arm> arms{};
+    std::vector<std::uint32_t> merged{};      ///< per node: the one that stands for it
+    std::vector<std::uint32_t> end_of_node{}; ///< per node: which free end it is
+    std::vector<std::uint32_t> cell_starts{}, cell_nodes{};
+
+private:
+    struct Grid {
+        float cell = 1.0f;
+        glm::vec2 origin{0.0f};
+        int columns = 0, rows = 0;
+    };
+
+    void chain();
+    [[nodiscard]] std::uint32_t chain_node(const Chain& chain, std::uint32_t index) const;
+    [[nodiscard]] glm::vec2 direction_ahead(const Chain& chain, bool at_end) const;
+    void find_free_ends();
+    void place_nodes();
+    [[nodiscard]] Grid sort_into_grid(float cell);
+    template <class Visit> void each_near(const Grid& grid, glm::vec2 at, Visit&& visit) const;
+    void merge_touching();
+    void cluster_ends(const Grid& grid);
+    void join_cluster(std::span<const FreeEnd> ends);
+    [[nodiscard]] std::uint32_t find_line_ahead(const Grid& grid, const FreeEnd& end, float nearest) const;
+    bool join_line_ahead(const Grid& grid, const FreeEnd& end, float nearest);
+    void join_pair(const Grid& grid, const FreeEnd& a, const FreeEnd& b);
+    void close_gaps();
+    void contract_links();
+    void place_crossings();
+    void remove_points();
+    [[nodiscard]] bool too_short(const Chain& chain) const;
+    void prune();
+    void write_lines();
+};
+
+} // namespace hachure::geometry
