@@ -4,6 +4,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <string>
+
 namespace hachure {
 
 /// What a line's width is measured in.
@@ -58,6 +60,11 @@ struct AbstractedLines {
     float shininess = 40.0f;
     bool abstracted_normals = false;
     ToneLineMethod method = ToneLineMethod::pixels;
+    float taper = 3.0f;
+    std::string stroke_texture;
+    float texture_length = 24.0f;
+    float texture_strength = 0.6f;
+    float min_length = 1.0f;
 
     friend bool operator==(const AbstractedLines&, const AbstractedLines&) = default;
 };
@@ -120,6 +127,22 @@ inline void reflect(TypeBuilder<AbstractedLines>& type) {
     type.field("method", &AbstractedLines::method)
         .doc("how lines are drawn: by pixels, or as strokes along them")
         .options({"pixels", "strokes"});
+    type.field("taper", &AbstractedLines::taper)
+        .doc("length over which a stroke thins out towards its ends, in widths of it")
+        .range(0, 100);
+    type.field("stroke_texture", &AbstractedLines::stroke_texture)
+        .doc("picture of a stroke from left to right, laid along strokes and mirrored where it ends: dark, or opaque "
+             "where it has an alpha channel, for where there is ink; none for dry ink")
+        .unit("image file");
+    type.field("texture_length", &AbstractedLines::texture_length)
+        .doc("about how long the picture is on a stroke, in widths of the lines")
+        .range(1, 1000);
+    type.field("texture_strength", &AbstractedLines::texture_strength)
+        .doc("how much of the texture shows; 0 for solid strokes")
+        .range(0, 1);
+    type.field("min_length", &AbstractedLines::min_length)
+        .doc("strokes shorter than this, in widths of the lines, are left out, unless they link others")
+        .range(0, 1000);
 }
 
 } // namespace hachure

@@ -63,7 +63,11 @@ void LinkRidgesJob::validate() const {
                                            return std::max(s.start, s.end) < nodes.size() && s.start != s.end;
                                        }),
                    "segments are between two nodes");
-    HACHURE_ASSERT(gap >= 0.0f && gap_widths >= 0.0f && min_length >= 0.0f && min_length_widths >= 0.0f, "lengths");
+    HACHURE_ASSERT(gap >= 0.0f && gap_widths >= 0.0f, "lengths");
+    HACHURE_ASSERT(
+        min_lengths.empty() ||
+            std::ranges::all_of(nodes, [&](const RidgeNode& node) { return node.owner < min_lengths.size(); }),
+        "a length per owner");
 }
 
 void LinkRidgesJob::chain() {
@@ -355,8 +359,7 @@ void LinkRidgesJob::remove_points() {
 bool LinkRidgesJob::too_short(const Chain& chain) const {
     const std::uint32_t start = chain_node(chain, 0), end = chain_node(chain, chain.count);
     const bool linked_on = linked.degree[start] > 1 && linked.degree[end] > 1 && start != end;
-    const float width = std::max(linked.nodes[start].point.width, linked.nodes[end].point.width);
-    return !linked_on && chain.length < min_length + min_length_widths * width;
+    return !linked_on && chain.length < min_lengths[linked.nodes[start].owner];
 }
 
 void LinkRidgesJob::prune() {
@@ -397,7 +400,7 @@ void LinkRidgesJob::run() {
     chain();
     contract_links();
     place_crossings();
-    if (min_length > 0.0f || min_length_widths > 0.0f) prune();
+    if (!min_lengths.empty()) prune();
     write_lines();
 }
 

@@ -20,8 +20,8 @@ struct LinkRidgesJob {
     std::span<const SegmentEnds> segments; ///< between nodes
     float gap = 1.0f;                      ///< how far an end may look ahead, pixels,
     float gap_widths = 0.75f;              ///< plus so many widths of its line
-    float min_length = 0.0f;               ///< shorter lines with a free end are left out, pixels,
-    float min_length_widths = 0.0f;        ///< plus so many widths
+    /// By owner, or empty: shorter lines with a free end are left out, pixels.
+    std::span<const float> min_lengths{};
 
     /// Out, kept from run to run; sorted by nothing but where they were found. Lines are at least two points long.
     PolylineSet lines{};

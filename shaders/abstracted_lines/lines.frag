@@ -30,6 +30,7 @@ vec2 texel_at(ivec2 texel) { return texelFetch(tones, clamp(texel, ivec2(0), tex
 #include "abstracted_lines/fit.glsl"
 #include "abstracted_lines/search.glsl"
 #include "abstracted_lines/style.glsl"
+#include "abstracted_lines/across.glsl"
 
 #if defined(MAPS)
 layout(location = 0) out vec2 out_distance;
@@ -52,13 +53,6 @@ struct Stroke {
     float opacity;  // with its fading across the width
 };
 Stroke no_stroke() { return Stroke(no_ridge(), 0.0, 0.0); }
-
-// Opacity falls from the middle part of the line to its rim, over a pixel at least; a line narrower than one is fainter.
-float across_width(float away, float width, float fade) {
-    float ramp = max(0.5 * fade * width, 1.0);
-    float rim = 0.5 * width + 0.5 * max(1.0 - 0.5 * fade * width, 0.0);
-    return clamp((rim - away) / ramp, 0.0, min(1.0, width));
-}
 
 Stroke stroke_of(vec2 here, Fit fit, int channel, float width, float drawn_width, ToneLineStyle style) {
     Stroke stroke = no_stroke();

@@ -1,6 +1,8 @@
 #include <hachure/runtime/app/app.h>
 #include <hachure/systems/abstracted_lines/abstracted_lines.h>
 #include <hachure/systems/abstracted_lines/select_lines.h>
+#include <hachure/systems/abstracted_lines/stroke_frame.h>
+#include <hachure/systems/abstracted_lines/stroke_passes.h>
 #include <hachure/systems/abstracted_lines/tone_line_passes.h>
 
 #include <memory>
@@ -30,6 +32,9 @@ void register_abstracted_lines(App& app) {
     app.add_component<AbstractedLines>();
     app.add_component<ToneImage>();
     app.world().set_resource(ToneLineFrame{});
+    app.world().set_resource(StrokeFrame{});
+    if (!app.world().find_resource<StrokeSet>()) app.world().set_resource(StrokeSet{});
+    if (!app.world().find_resource<MeshStore>()) app.world().set_resource(MeshStore{});
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
     add_aovs(frame_requests(app.world()).known);
     app.add_system(Stage::material, "abstracted_lines.select",
@@ -39,8 +44,13 @@ void register_abstracted_lines(App& app) {
                        LineLayer& layer) { (*select)(styled, qualities, list, view, requests, frame, layer); })
         .after("surface.collect")
         .after("edge_lines.select");
-    app.add_system(Stage::render, "abstracted_lines.pass",
-                   [passes = std::make_shared<ToneLinePasses>()](World& world) { passes->declare(world); })
+    app.add_system(Stage::material, "abstracted_lines.strokes", select_strokes).after("abstracted_lines.select");
+    app.add_system(
+           Stage::render, "abstracted_lines.pass",
+           [lines = std::make_shared<ToneLinePasses>(), strokes = std::make_shared<StrokePasses>()](World& world) {
+               lines->declare(world);
+               strokes->declare(world);
+           })
         .after("surface.passes")
         .after("gooch.pass")
         .after("metal.pass")

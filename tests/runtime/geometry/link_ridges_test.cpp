@@ -19,15 +19,16 @@ constexpr double degree = std::numbers::pi / 180.0;
 struct Linked {
     TraceRidgesJob trace;
     LinkRidgesJob link;
+    std::vector<float> shortest;
 
-    explicit Linked(const RidgeField& field, float sign = 1.0f, float min_length = 0.0f) {
+    explicit Linked(const RidgeField& field, float sign = 1.0f, float min_length = 0.0f) : shortest(3, min_length) {
         trace.image = field.image();
         trace.sign = sign;
         trace.validate();
         trace.run();
         link.nodes = trace.nodes;
         link.segments = trace.segments;
-        link.min_length = min_length;
+        if (min_length > 0.0f) link.min_lengths = shortest;
         link.validate();
         link.run();
     }
