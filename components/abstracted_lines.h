@@ -64,7 +64,7 @@ struct AbstractedLines {
     std::string stroke_texture;
     float texture_length = 24.0f;
     float texture_strength = 0.6f;
-    float min_length = 1.0f;
+    float min_length = 0.0f;
 
     friend bool operator==(const AbstractedLines&, const AbstractedLines&) = default;
 };

@@ -19,6 +19,9 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 /// An end faces what lies within 60 degrees of where it would go on.
 constexpr float facing_cosine = 0.5f;
 
+/// How long a line is that only two neighbouring pixels saw.
+constexpr float dot_length = 1.0f;
+
 /// Two lines nearer than this cross or touch: ridges side by side are more than a pixel apart.
 constexpr float touch = 0.75f;
 
@@ -391,10 +394,32 @@ void LinkRidgesJob::write_lines() {
     }
 }
 
+/// Places that no piece leads to or from: lines of two pixels.
+void LinkRidgesJob::find_dots() {
+    dots.clear();
+    for (std::uint32_t i = 0; i < linked.nodes.size(); ++i)
+        if (linked.degree[i] == 0) dots.push_back(i);
+}
+
+void LinkRidgesJob::write_dots() {
+    for (const std::uint32_t dot : dots) {
+        const RidgeNode& node = linked.nodes[dot];
+        if (!min_lengths.empty() && dot_length < min_lengths[node.owner]) continue;
+        Polyline line{.first = static_cast<std::uint32_t>(lines.points.size()), .count = 2, .owner = node.owner};
+        line.length = dot_length;
+        lines.lines.push_back(line);
+        for (const float side : {-0.5f, 0.5f}) {
+            lines.points.push_back(node.point);
+            lines.points.back().place += side * dot_length * node.tangent;
+        }
+    }
+}
+
 void LinkRidgesJob::run() {
     linked.nodes.assign(nodes.begin(), nodes.end());
     linked.segments.assign(segments.begin(), segments.end());
     chain();
+    find_dots();
     merge_touching();
     close_gaps();
     chain();
@@ -402,6 +427,7 @@ void LinkRidgesJob::run() {
     place_crossings();
     if (!min_lengths.empty()) prune();
     write_lines();
+    write_dots();
 }
 
 } // namespace hachure::geometry

@@ -19,9 +19,11 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 /// as tight as a pixel and a half.
 constexpr float least_cosine = 0.64f;
 
-/// How much farther or nearer, in pixels, a line may be for a neighbour than a straight one would be. Between two
-/// lines the nearest one changes, and what was ahead is behind by their whole distance: no line passes there.
-constexpr float most_deviation = 0.5f;
+/// From one pixel to the next a line comes nearer by what lies between them. Beside the edge of a tone pixels don't
+/// agree on where the line is, and it may come nearer by this much more, pixels: what they agree on is which side of
+/// them it is on. Between two lines the nearest one changes, and what was ahead is behind: nearer by less than this
+/// much less, no line passes there.
+constexpr float most_more = 1.5f, most_less = 0.5f;
 
 /// One of both normals of a line, the same one for all that run about that way. What angle the choice flips at is
 /// of no matter as long as no line of a drawing is likely to run just there.
@@ -57,7 +59,10 @@ std::uint32_t TraceRidgesJob::cross(std::size_t pixel, std::size_t neighbour, gl
     const glm::vec2 normal = normal_of(tangent);
     const float a = glm::dot(glm::vec2(image.points[pixel]), normal);
     const float b = glm::dot(glm::vec2(image.points[neighbour]), normal);
-    if ((a < 0.0f) == (b < 0.0f) || !(std::abs(a - b - glm::dot(step, normal)) <= most_deviation)) return none;
+    if ((a < 0.0f) == (b < 0.0f)) return none;
+    const float between = glm::dot(step, normal);
+    const float nearer = between < 0.0f ? b - a + between : a - b - between;
+    if (!(nearer >= -most_less && nearer <= most_more)) return none;
     const float t = a / (a - b);
     RidgeNode node{{}, tangent, image.owners[pixel]};
     node.point.place = at + t * step;
