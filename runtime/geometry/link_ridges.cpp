@@ -394,11 +394,21 @@ void LinkRidgesJob::write_lines() {
     }
 }
 
-/// Places that no piece leads to or from: lines of two pixels.
+/// Places that no piece leads to or from: lines of two pixels, unless they are beside a line.
 void LinkRidgesJob::find_dots() {
     dots.clear();
     for (std::uint32_t i = 0; i < linked.nodes.size(); ++i)
         if (linked.degree[i] == 0) dots.push_back(i);
+    if (dots.empty()) return;
+    const Grid grid = sort_into_grid(2.0f);
+    std::erase_if(dots, [&](std::uint32_t dot) {
+        bool beside = false;
+        each_near(grid, linked.nodes[dot].point.place, [&](std::uint32_t other) {
+            beside = beside || (linked.degree[other] > 0 && linked.nodes[other].owner == linked.nodes[dot].owner &&
+                                glm::distance(linked.nodes[dot].point.place, linked.nodes[other].point.place) < 2.0f);
+        });
+        return beside;
+    });
 }
 
 void LinkRidgesJob::write_dots() {
