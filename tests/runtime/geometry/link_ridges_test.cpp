@@ -174,7 +174,7 @@ TEST(LinkRidges, GapsOfAPixelAreClosedAndLongOnesAreNot) {
         RidgeField field = field_of(bar, 4.0, 40.0);
         for (int y = 0; y < 120; ++y)
             for (int x = 60; x < 60 + gap; ++x) field.points[static_cast<std::size_t>(y * 120 + x)].w = 0.0f;
-        EXPECT_EQ(Linked(field).count(), gap < 14 ? 1u : 2u) << gap;
+        EXPECT_EQ(Linked(field, 1.0f, 6.0f).count(), gap < 14 ? 1u : 2u) << gap;
     }
 }
 
@@ -182,7 +182,7 @@ TEST(LinkRidges, LinesOfDifferentOwnersStayApart) {
     RidgeField field = field_of(bar_at(20.0, {60.3, 60.8}), 4.0, 40.0);
     for (int y = 0; y < 120; ++y)
         for (int x = 60; x < 120; ++x) field.owners[static_cast<std::size_t>(y * 120 + x)] *= 2;
-    const Linked lines(field);
+    const Linked lines(field, 1.0f, 6.0f);
     ASSERT_EQ(lines.count(), 2u);
     EXPECT_EQ(lines.set().lines[0].owner + lines.set().lines[1].owner, 3u);
     for (const Polyline& line : lines.set().lines) EXPECT_FALSE(line.start_joined || line.end_joined);
@@ -224,6 +224,19 @@ TEST(LinkRidges, WhatIsNoNumberIsNoLine) {
     EXPECT_GT(lines.count(), 0u);
     for (const LinePoint& point : lines.set().points)
         EXPECT_TRUE(std::isfinite(point.place.x) && std::isfinite(point.place.y) && std::isfinite(point.opacity));
+}
+
+/// What only two pixels saw is a short line, not nothing.
+TEST(LinkRidges, DotsAreLines) {
+    RidgeField field(20, 20);
+    field.set(9, 10, {0.6, 0.0}, 0.1, 0.7, {0.0, 1.0}, 4.0);
+    field.set(10, 10, {-0.4, 0.0}, 0.1, 0.5, {0.0, 1.0}, 4.0);
+    const Linked lines(field);
+    ASSERT_EQ(lines.count(), 1u);
+    EXPECT_FLOAT_EQ(lines.set().lines[0].length, 1.0f);
+    for (const LinePoint& point : lines.set().points) EXPECT_NEAR(double(point.place.x), 10.1, 1e-4);
+    EXPECT_NEAR(double(lines.set().points[0].opacity), 0.58, 1e-4);
+    EXPECT_EQ(Linked(field, 1.0f, 2.0f).count(), 0u);
 }
 
 TEST(LinkRidges, PicturesWithoutLinesHaveNone) {
