@@ -2,6 +2,7 @@
 #include <hachure/runtime/assets/frame_pattern.h>
 #include <hachure/runtime/assets/frame_writer.h>
 #include <hachure/runtime/assets/image_file.h>
+#include <hachure/runtime/assets/svg_file.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/parallel.h>
 #include <hachure/runtime/scene/frame_requests.h>
@@ -22,9 +23,11 @@ struct Sequence {
 };
 
 std::vector<Sequence> sequences(App& app, const RenderOutputs& outputs) {
-    const bool exr = assets::frame_format(outputs.picture) == assets::FrameFormat::exr;
-    std::vector<Sequence> result{
-        {outputs.picture, exr ? assets::PixelType::f32 : assets::PixelType::u8, picture_channels}};
+    std::vector<Sequence> result;
+    const auto format = assets::frame_format(outputs.picture);
+    const bool exr = format == assets::FrameFormat::exr;
+    if (format != assets::FrameFormat::svg)
+        result.push_back({outputs.picture, exr ? assets::PixelType::f32 : assets::PixelType::u8, picture_channels});
     const std::vector<AovInfo>& known = frame_requests(app.world()).known;
     for (const AovOutput& aov : outputs.aovs) {
         const auto info = std::ranges::find(known, aov.name, &AovInfo::name);
@@ -45,6 +48,12 @@ bool is_whole(const std::filesystem::path& file, const Sequence& sequence, Canva
     }
 }
 
+/// Also where none is to be there.
+bool drawing_is_whole(const RenderOutputs& outputs, std::int64_t number, Canvas canvas) {
+    return assets::frame_format(outputs.picture) != assets::FrameFormat::svg ||
+           assets::is_whole_svg(assets::frame_file(outputs.picture, number), canvas.width, canvas.height);
+}
+
 } // namespace
 
 std::vector<std::int64_t> missing_frames(App& app, const RenderOutputs& outputs, const FramePlan& plan, Canvas canvas,
@@ -56,9 +65,10 @@ std::vector<std::int64_t> missing_frames(App& app, const RenderOutputs& outputs,
         progress.step(first, count);
         parallel_for(std::min(block, count - first), [&](std::size_t i) {
             const std::int64_t number = plan.first + static_cast<std::int64_t>(first + i);
-            there[first + i] = std::ranges::all_of(all, [&](const Sequence& sequence) {
-                return is_whole(assets::frame_file(sequence.pattern, number), sequence, canvas);
-            });
+            there[first + i] =
+                drawing_is_whole(outputs, number, canvas) && std::ranges::all_of(all, [&](const Sequence& sequence) {
+                    return is_whole(assets::frame_file(sequence.pattern, number), sequence, canvas);
+                });
         });
     }
     std::vector<std::int64_t> missing;

@@ -15,7 +15,8 @@ namespace hachure {
 /// are drawn. The files do not depend on that.
 class FrameOutput {
 public:
-    /// Asks the renderer, which must outlive this, for the AOVs that are written. Throws Error when a film can't be.
+    /// Asks the renderer, which must outlive this, for the AOVs that are written. Throws Error when a film can't be, or
+    /// an SVG file would have nothing to hold.
     FrameOutput(App& app, Renderer& renderer, const RenderOutputs& outputs, const FramePlan& plan);
 
     /// Hands on what the renderer drew last, as frame `number`. Waits while three frames are under way. Throws Error,
@@ -32,7 +33,9 @@ private:
         std::unique_ptr<assets::FrameSequenceWriter> writer;
     };
 
+    App* app_;
     Renderer* renderer_;
+    std::filesystem::path drawing_; ///< an SVG file, instead of a picture; empty for none
     std::vector<Target> targets_;
     BackgroundQueue queue_; // ends before the writers that it uses do
 };

@@ -169,9 +169,11 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
     command->add_option("INPUT", options.input, "a scene (.scene.json), or a glTF, GLB, OBJ, PLY, OFF or STL file")
         ->required();
     command
-        ->add_option("-o,--output", options.output,
-                     "a picture, .png (sRGB) or .exr (linear float), numbered when its name has #s: out.####.png; or a "
-                     "film of all --frames, .gif or .mp4 (H.264; odd sizes get a row or column more)")
+        ->add_option(
+            "-o,--output", options.output,
+            "a picture, .png (sRGB) or .exr (linear float), or its lines, .svg (those of abstracted_lines), numbered "
+            "when the name has #s: out.####.png; or a film of all --frames, .gif or .mp4 (H.264; odd sizes get "
+            "a row or column more)")
         ->required();
     command->add_option("--style", options.style,
                         "a style (see `hachure list styles`) or a preset FILE.json "
@@ -206,6 +208,7 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
         ->type_name("N")
         ->check(CLI::Range(1, max_threads));
     command->footer("Examples: hachure render bunny.obj -o bunny.png --style gooch --set gooch.b=0.55 --size 1024x768\n"
+                    "          hachure render bunny.obj -o bunny.svg --style lines\n"
                     "          hachure render fox.glb -o fox.mp4 --frames 0..119 --fps 30\n"
                     "          hachure render fox.glb -o fox.####.png --frames 0..119 --aov depth=depth.####.exr\n"
                     "          hachure render fox.glb -o fox.####.png --frames 0..119 --chunk 2/4 --resume");

@@ -41,13 +41,14 @@ std::optional<FrameFormat> frame_format(const std::filesystem::path& file) {
     if (extension == ".exr") return FrameFormat::exr;
     if (extension == ".gif") return FrameFormat::gif;
     if (extension == ".mp4") return FrameFormat::mp4;
+    if (extension == ".svg") return FrameFormat::svg;
     return {};
 }
 
 std::unique_ptr<FrameSequenceWriter> make_frame_writer(const std::filesystem::path& file,
                                                        const FrameWriterOptions& options) {
     const std::optional<FrameFormat> format = frame_format(file);
-    HACHURE_ASSERT(format, "the extension is one that frames are written to");
+    HACHURE_ASSERT(format && *format != FrameFormat::svg, "the extension is one that images are written to");
     switch (*format) {
     case FrameFormat::png:
         return std::make_unique<PngSequence>(file);
@@ -56,6 +57,7 @@ std::unique_ptr<FrameSequenceWriter> make_frame_writer(const std::filesystem::pa
     case FrameFormat::gif:
         return make_gif_writer(file, options.rate);
     case FrameFormat::mp4:
+    case FrameFormat::svg:
         break;
     }
     return make_mp4_writer(file, options.rate);

@@ -18,9 +18,10 @@ enum class FrameFormat : std::uint8_t {
     exr, ///< a file per frame, f32
     gif, ///< one file, u8 RGB: 255 colours a frame, repeats for ever
     mp4, ///< one file, u8 RGB: H.264
+    svg, ///< a file per frame: lines and no image (svg_file.h)
 };
 
-/// The format of a file's extension; nothing when it is none of .png, .exr, .gif, .mp4.
+/// The format of a file's extension; nothing when it is none of .png, .exr, .gif, .mp4, .svg.
 [[nodiscard]] std::optional<FrameFormat> frame_format(const std::filesystem::path& file);
 
 /// Whether all frames go into one file.
@@ -52,7 +53,7 @@ struct FrameWriterOptions {
     std::vector<std::string> channel_names; ///< of EXR files, one per channel
 };
 
-/// A writer for `file`, whose extension is one of frame_format's. PNG and EXR names may number frames (see
+/// A writer for `file`, whose extension is one of frame_format's for images. PNG and EXR names may number frames (see
 /// frame_pattern.h); without a '#', each frame replaces the one before. Throws Error when `file` can't be written.
 ///
 /// MP4: H.264 (x264, crf 18), yuv420p in limited range with the matrix and primaries of BT.709 and the transfer curve

@@ -20,6 +20,7 @@ TEST(FrameWriter, KnowsItsExtensions) {
     EXPECT_EQ(frame_format("a.b/A.####.EXR"), FrameFormat::exr);
     EXPECT_EQ(frame_format("a.gif"), FrameFormat::gif);
     EXPECT_EQ(frame_format("a.MP4"), FrameFormat::mp4);
+    EXPECT_EQ(frame_format("a.####.svg"), FrameFormat::svg);
     for (const char* name : {"a.avi", "a", "gif", "a.gif/b", ".mp4", ""})
         EXPECT_EQ(frame_format(name), std::nullopt) << name;
 }
