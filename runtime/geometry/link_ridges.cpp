@@ -19,8 +19,11 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 /// An end faces what lies within 60 degrees of where it would go on.
 constexpr float facing_cosine = 0.5f;
 
-/// How long a line is that only two neighbouring pixels saw.
+/// How long a line is that only one or two pixels saw.
 constexpr float dot_length = 1.0f;
+
+/// What they saw so near to a line is that line, pixels.
+constexpr float beside_line = 1.5f;
 
 /// Two lines nearer than this cross or touch: ridges side by side are more than a pixel apart.
 constexpr float touch = 0.75f;
@@ -394,42 +397,37 @@ void LinkRidgesJob::write_lines() {
     }
 }
 
-/// Places that no piece leads to or from: lines of two pixels, unless they are beside a line.
-void LinkRidgesJob::find_dots() {
-    dots.clear();
-    for (std::uint32_t i = 0; i < linked.nodes.size(); ++i)
-        if (linked.degree[i] == 0) dots.push_back(i);
-    if (dots.empty()) return;
+/// Places that no piece leads to or from become short lines, unless they are beside a line. Such lines may then be
+/// linked like others.
+void LinkRidgesJob::lengthen_dots() {
+    const auto count = static_cast<std::uint32_t>(linked.nodes.size());
+    if (std::ranges::find(linked.degree, 0u) == linked.degree.end()) return;
     const Grid grid = sort_into_grid(2.0f);
-    std::erase_if(dots, [&](std::uint32_t dot) {
+    for (std::uint32_t dot = 0; dot < count; ++dot) {
+        if (linked.degree[dot] != 0) continue;
+        const RidgeNode node = linked.nodes[dot];
         bool beside = false;
-        each_near(grid, linked.nodes[dot].point.place, [&](std::uint32_t other) {
-            beside = beside || (linked.degree[other] > 0 && linked.nodes[other].owner == linked.nodes[dot].owner &&
-                                glm::distance(linked.nodes[dot].point.place, linked.nodes[other].point.place) < 2.0f);
+        each_near(grid, node.point.place, [&](std::uint32_t other) {
+            const RidgeNode& there = linked.nodes[other];
+            // Of two dots that are one place to the eye, the first is drawn.
+            const float room = linked.degree[other] > 0 ? beside_line : other < dot ? touch : 0.0f;
+            beside = beside || (there.owner == node.owner && glm::distance(node.point.place, there.point.place) < room);
         });
-        return beside;
-    });
-}
-
-void LinkRidgesJob::write_dots() {
-    for (const std::uint32_t dot : dots) {
-        const RidgeNode& node = linked.nodes[dot];
-        if (!min_lengths.empty() && dot_length < min_lengths[node.owner]) continue;
-        Polyline line{.first = static_cast<std::uint32_t>(lines.points.size()), .count = 2, .owner = node.owner};
-        line.length = dot_length;
-        lines.lines.push_back(line);
+        if (beside) continue;
+        linked.segments.push_back({linked.nodes.size(), linked.nodes.size() + 1});
         for (const float side : {-0.5f, 0.5f}) {
-            lines.points.push_back(node.point);
-            lines.points.back().place += side * dot_length * node.tangent;
+            linked.nodes.push_back(node);
+            linked.nodes.back().point.place += side * dot_length * node.tangent;
         }
     }
+    chain();
 }
 
 void LinkRidgesJob::run() {
     linked.nodes.assign(nodes.begin(), nodes.end());
     linked.segments.assign(segments.begin(), segments.end());
     chain();
-    find_dots();
+    lengthen_dots();
     merge_touching();
     close_gaps();
     chain();
@@ -437,7 +435,6 @@ void LinkRidgesJob::run() {
     place_crossings();
     if (!min_lengths.empty()) prune();
     write_lines();
-    write_dots();
 }
 
 } // namespace hachure::geometry

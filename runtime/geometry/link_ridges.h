@@ -69,7 +69,6 @@ struct LinkRidgesJob {
     std::vector<FreeEnd> free_ends{};
     std::vector<NodePlace> places{};
     std::vector<Arm> arms{};
-    std::vector<std::uint32_t> dots{};
     std::vector<std::uint32_t> merged{};      ///< per node: the one that stands for it
     std::vector<std::uint32_t> end_of_node{}; ///< per node: which free end it is
     std::vector<std::uint32_t> cell_starts{}, cell_nodes{};
@@ -101,8 +100,7 @@ private:
     [[nodiscard]] bool too_short(const Chain& chain) const;
     void prune();
     void write_lines();
-    void find_dots();
-    void write_dots();
+    void lengthen_dots();
 };
 
 } // namespace hachure::geometry

@@ -25,6 +25,9 @@ constexpr float least_cosine = 0.64f;
 /// much less, no line passes there.
 constexpr float most_more = 1.5f, most_less = 0.5f;
 
+/// How far from a line, pixels, a pixel may be to stand for it alone.
+constexpr float alone_reach = 0.75f;
+
 /// One of both normals of a line, the same one for all that run about that way. What angle the choice flips at is
 /// of no matter as long as no line of a drawing is likely to run just there.
 glm::vec2 normal_of(glm::vec2 tangent) {
@@ -86,14 +89,15 @@ void TraceRidgesJob::cross_right(int y, std::vector<std::uint32_t>& row) {
     }
 }
 
-void TraceRidgesJob::cross_above(int y) {
+void TraceRidgesJob::cross_above(int y, std::vector<std::uint32_t>& row) {
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t first = static_cast<std::size_t>(y) * width;
-    above.assign(width, none);
+    row.assign(width, none);
+    if (y + 1 >= image.height) return;
     for (std::size_t x = 0; x < width; ++x)
         if (holds_line(first + x) && holds_line(first + width + x))
-            above[x] = cross(first + x, first + width + x, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
-                             {0.0f, 1.0f});
+            row[x] = cross(first + x, first + width + x, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
+                           {0.0f, 1.0f});
 }
 
 /// The nodes around the cell whose lower left pixel is at `x` of the row: two are the ends of a piece; more meet in a
@@ -101,7 +105,7 @@ void TraceRidgesJob::cross_above(int y) {
 void TraceRidgesJob::join_cell(std::size_t x) {
     std::array<std::uint32_t, 4> found{};
     std::size_t count = 0;
-    for (const std::uint32_t node : {right[0][x], above[x + 1], right[1][x], above[x]})
+    for (const std::uint32_t node : {right[0][x], above[0][x + 1], right[1][x], above[0][x]})
         if (node != none) found[count++] = node;
     for (std::size_t i = 1; i < count; ++i)
         if (nodes[found[i]].owner != nodes[found[0]].owner) return;
@@ -118,16 +122,39 @@ void TraceRidgesJob::join_cell(std::size_t x) {
     nodes.push_back(meeting);
 }
 
+/// Pixels of a row that see a line, while none of their neighbours sees it from its other side.
+void TraceRidgesJob::add_lone_pixels(int y) {
+    const auto width = static_cast<std::size_t>(image.width);
+    for (std::size_t x = 0; x < width; ++x) {
+        const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
+        if (!holds_line(pixel)) continue;
+        const glm::vec2 offset(image.points[pixel]), tangent(image.directions[pixel]);
+        if (!(glm::length(offset) <= alone_reach)) continue;
+        if (right[0][x] != none || (x > 0 && right[0][x - 1] != none)) continue;
+        if (above[0][x] != none || above[1][x] != none) continue;
+        if (!(glm::dot(tangent, tangent) > 0.5f)) continue;
+        const glm::vec2 middle(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        nodes.push_back({{middle + offset, image.directions[pixel].z, image.points[pixel].w},
+                         glm::normalize(tangent),
+                         image.owners[pixel]});
+    }
+}
+
 void TraceRidgesJob::run() {
     nodes.clear();
     segments.clear();
     if (image.width < 2 || image.height < 2) return;
+    const auto width = static_cast<std::size_t>(image.width);
     cross_right(0, right[0]);
-    for (int y = 0; y + 1 < image.height; ++y) {
+    above[1].assign(width, none);
+    for (int y = 0; y < image.height; ++y) {
+        cross_above(y, above[0]);
+        add_lone_pixels(y);
+        if (y + 1 == image.height) return;
         cross_right(y + 1, right[1]);
-        cross_above(y);
-        for (std::size_t x = 0; x + 1 < static_cast<std::size_t>(image.width); ++x) join_cell(x);
+        for (std::size_t x = 0; x + 1 < width; ++x) join_cell(x);
         std::swap(right[0], right[1]);
+        std::swap(above[0], above[1]);
     }
 }
 

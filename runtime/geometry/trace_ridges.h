@@ -36,7 +36,7 @@ struct RidgeNode {
 /// itself. Here pixels on both sides of a line say how far away it is, so that it passes between two neighbours where
 /// their signed distances change sign, as a contour does: each piece crosses one cell of four pixels, pieces of
 /// neighbouring cells share an end, and no place is found twice. Where three or four places lie around a cell, lines
-/// meet in it.
+/// meet in it. A pixel that is the only one to see the line that passes through it makes a node without pieces.
 struct TraceRidgesJob {
     RidgeImage image;
     float sign = 1.0f; ///< 1 for valleys, -1 for ridges
@@ -48,15 +48,17 @@ struct TraceRidgesJob {
     void validate() const;
     void run();
 
-    /// Scratch: nodes on the edges of the grid to the right of (rows 0 and 1) and above the pixels of a row.
-    std::vector<std::uint32_t> right[2]{}, above{};
+    /// Scratch: nodes on the edges of the grid to the right of the pixels of a row and of the one above it, and above
+    /// those of a row and of the one below it.
+    std::vector<std::uint32_t> right[2]{}, above[2]{};
 
 private:
     [[nodiscard]] bool holds_line(std::size_t pixel) const;
     [[nodiscard]] std::uint32_t cross(std::size_t pixel, std::size_t neighbour, glm::vec2 at, glm::vec2 step);
     void cross_right(int y, std::vector<std::uint32_t>& row);
-    void cross_above(int y);
+    void cross_above(int y, std::vector<std::uint32_t>& row);
     void join_cell(std::size_t x);
+    void add_lone_pixels(int y);
 };
 
 } // namespace hachure::geometry
