@@ -10,7 +10,7 @@
 
 namespace hachure::geometry {
 
-/// Makes lines of the pieces that TraceRidgesJob found: links them, closes gaps, and leaves short ones out.
+/// Makes lines of the pieces that TraceRidgesJob found: links them, closes gaps, and leaves out short ones and spurs.
 ///
 /// Lines that touch are made to meet in one point. Elsewhere there is no ridge of one direction where lines meet, and
 /// each ends about half a width before the others. A free end goes on to another one that it faces, several that face
@@ -65,7 +65,12 @@ struct LinkRidgesJob {
         std::uint32_t node; ///< the crossing
         glm::vec2 place, direction;
     };
+    /// Of lines that end at a node.
+    struct Spurs {
+        std::uint32_t count = 0, longest = 0;
+    };
     Linked linked{};
+    std::vector<Spurs> spurs{}; ///< by node
     std::vector<FreeEnd> free_ends{};
     std::vector<NodePlace> places{};
     std::vector<Arm> arms{};
@@ -97,7 +102,11 @@ private:
     void contract_links();
     void place_crossings();
     void remove_points();
+    [[nodiscard]] bool is_spur(const Chain& chain) const;
+    [[nodiscard]] bool is_superfluous(std::uint32_t index) const;
+    void count_spurs();
     [[nodiscard]] bool too_short(const Chain& chain) const;
+    void remove_line(const Chain& chain);
     void prune();
     void write_lines();
     void lengthen_dots();
