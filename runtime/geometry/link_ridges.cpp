@@ -73,10 +73,9 @@ void LinkRidgesJob::validate() const {
                                        }),
                    "segments are between two nodes");
     HACHURE_ASSERT(gap >= 0.0f && gap_widths >= 0.0f, "lengths");
-    HACHURE_ASSERT(
-        min_lengths.empty() ||
-            std::ranges::all_of(nodes, [&](const RidgeNode& node) { return node.owner < min_lengths.size(); }),
-        "a length per owner");
+    HACHURE_ASSERT(limits.empty() ||
+                       std::ranges::all_of(nodes, [&](const RidgeNode& node) { return node.owner < limits.size(); }),
+                   "limits per owner");
 }
 
 void LinkRidgesJob::chain() {
@@ -369,7 +368,8 @@ void LinkRidgesJob::remove_points() {
 bool LinkRidgesJob::is_spur(const Chain& chain) const {
     const std::uint32_t start = chain_node(chain, 0), end = chain_node(chain, chain.count);
     const float width = std::max(linked.nodes[start].point.width, linked.nodes[end].point.width);
-    return (linked.degree[start] == 1) != (linked.degree[end] == 1) && chain.length < spur_pixels + spur_widths * width;
+    return !limits[linked.nodes[start].owner].spurs && (linked.degree[start] == 1) != (linked.degree[end] == 1) &&
+           chain.length < spur_pixels + spur_widths * width;
 }
 
 /// Of spurs where a line goes on, none stays; where it ends in them, the longest goes on with it.
@@ -397,7 +397,7 @@ void LinkRidgesJob::count_spurs() {
 bool LinkRidgesJob::too_short(const Chain& chain) const {
     const std::uint32_t start = chain_node(chain, 0), end = chain_node(chain, chain.count);
     const bool linked_on = linked.degree[start] > 1 && linked.degree[end] > 1 && start != end;
-    return !linked_on && !min_lengths.empty() && chain.length < min_lengths[linked.nodes[start].owner];
+    return !linked_on && chain.length < limits[linked.nodes[start].owner].min_length;
 }
 
 void LinkRidgesJob::remove_line(const Chain& chain) {
@@ -472,7 +472,7 @@ void LinkRidgesJob::run() {
     chain();
     contract_links();
     place_crossings();
-    prune();
+    if (!limits.empty()) prune();
     write_lines();
 }
 

@@ -10,7 +10,13 @@
 
 namespace hachure::geometry {
 
-/// Makes lines of the pieces that TraceRidgesJob found: links them, closes gaps, and leaves out short ones and spurs.
+/// Which lines are too little to be drawn.
+struct LineLimits {
+    float min_length = 0.0f; ///< pixels: shorter ones with a free end are left out
+    bool spurs = true;       ///< else those about as long as the line that they begin at is wide are, too
+};
+
+/// Makes lines of the pieces that TraceRidgesJob found: links them, closes gaps, and leaves some out.
 ///
 /// Lines that touch are made to meet in one point. Elsewhere there is no ridge of one direction where lines meet, and
 /// each ends about half a width before the others. A free end goes on to another one that it faces, several that face
@@ -20,8 +26,8 @@ struct LinkRidgesJob {
     std::span<const SegmentEnds> segments; ///< between nodes
     float gap = 1.0f;                      ///< how far an end may look ahead, pixels,
     float gap_widths = 0.75f;              ///< plus so many widths of its line
-    /// By owner, or empty: shorter lines with a free end are left out, pixels.
-    std::span<const float> min_lengths{};
+    /// What is left out, by owner; nothing where there is none.
+    std::span<const LineLimits> limits{};
 
     /// Out, kept from run to run; sorted by nothing but where they were found. Lines are at least two points long.
     PolylineSet lines{};

@@ -86,7 +86,7 @@ void StrokeBuilder::run(Work& work, const RidgeMaps& maps, const StrokeFrame& fr
     work.trace.run();
     work.link.nodes = work.trace.nodes;
     work.link.segments = work.trace.segments;
-    work.link.min_lengths = min_lengths_;
+    work.link.limits = limits_;
     work.link.run();
     const geometry::PolylineSet& lines = work.link.lines;
     work.simplify.lines = &lines;
@@ -123,9 +123,9 @@ void StrokeBuilder::append(const Work& work, const StrokeFrame& frame, StrokeSet
 }
 
 void StrokeBuilder::build(const RidgeMaps& maps, const StrokeFrame& frame, const View& view, StrokeSet& set) {
-    min_lengths_.assign(frame.owners.size(), 0.0f);
-    for (std::size_t i = 0; i < frame.owners.size(); ++i)
-        min_lengths_[i] = frame.owners[i].lines.min_length * frame.owners[i].width;
+    limits_.clear();
+    for (const StrokeOwner& owner : frame.owners) // lines that pixels draw are known with every speck that those draw
+        limits_.push_back({owner.lines.min_length * owner.width, owner.lines.method == ToneLineMethod::pixels});
     parallel_for(works_.size(), [&](std::size_t i) {
         works_[i].kind = static_cast<StrokeKind>(i);
         run(works_[i], maps, frame, view);

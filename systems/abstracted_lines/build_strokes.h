@@ -50,7 +50,7 @@ private:
     static void append(const Work& work, const StrokeFrame& frame, StrokeSet& set);
 
     std::array<Work, stroke_kinds> works_;
-    std::vector<float> min_lengths_; ///< by owner
+    std::vector<geometry::LineLimits> limits_; ///< by owner
 };
 
 } // namespace hachure
