@@ -2,6 +2,7 @@
 #include <hachure/components/compose.h>
 #include <hachure/components/name.h>
 #include <hachure/editor/stroke_drawing.h>
+#include <hachure/runtime/ecs/hierarchy.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/stroke_set.h>
 #include <hachure/runtime/scene/view.h>
@@ -66,9 +67,16 @@ private:
     float begin_, end_;
 };
 
+/// The names of the entity and of what it stands below, as in paths of `--set`: "fox/body".
 std::string label_of(const World& world, Entity entity) {
-    const Name* name = world.find<Name>(entity);
-    return name && !name->text.empty() ? name->text : fmt::format("entity {}", entity.index);
+    std::string label;
+    for (Entity at = entity; at;) {
+        if (const Name* name = world.find<Name>(at); name && !name->text.empty())
+            label = label.empty() ? name->text : name->text + "/" + label;
+        const Parent* parent = world.find<Parent>(at);
+        at = parent ? parent->entity : Entity::null;
+    }
+    return label.empty() ? fmt::format("entity {}", entity.index) : label;
 }
 
 } // namespace

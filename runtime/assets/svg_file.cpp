@@ -21,9 +21,9 @@ namespace {
 /// Lines whose width varies less are of one width, pixels.
 constexpr float same_width = 0.05f;
 
-/// Lines are cut where their opacity changes by more than this: what the eye tells apart side by side is a little less,
-/// and cuts show where a viewer smooths their edges.
-constexpr float same_opacity = 1.0f / 12.0f;
+/// Steps of opacity, where it varies along a line.
+constexpr int levels = 12;
+constexpr float same_opacity = 0.5f / levels;
 
 /// Fainter ones are not seen.
 constexpr float least_opacity = 0.004f;
@@ -113,7 +113,7 @@ private:
 
     void write(const SvgLine& line, const std::string& color) {
         const std::span<const SvgPoint> points(line.points);
-        if (!is_even(points, &SvgPoint::opacity, same_opacity)) return write_pieces(line, color);
+        if (!is_even(points, &SvgPoint::opacity, same_opacity)) return write_levels(line, color);
         float width = 0.0f, opacity = 0.0f;
         for (const SvgPoint& point : points) {
             width += point.width / static_cast<float>(points.size());
@@ -129,7 +129,7 @@ private:
     }
 
     static std::string with_opacity(const char* what, float opacity) {
-        return opacity < 0.995f ? fmt::format(" {}-opacity=\"{:.2f}\"", what, opacity) : std::string();
+        return opacity < 0.995f ? fmt::format(" {}-opacity=\"{:.3f}\"", what, opacity) : std::string();
     }
 
     void write_outline(std::span<const SvgPoint> points, const std::string& color, float opacity, bool round_start,
@@ -138,34 +138,41 @@ private:
               with_opacity("fill", opacity));
     }
 
-    /// Cuts the line where its opacity has changed by so much, and in the middle of long changes.
-    void write_pieces(const SvgLine& line, const std::string& color) {
-        std::vector<SvgPoint> piece;
-        bool first = true;
-        const auto flush = [&](bool last) {
-            float opacity = 0.0f;
-            for (const SvgPoint& point : piece) opacity += point.opacity / static_cast<float>(piece.size());
-            if (opacity >= least_opacity)
-                write_outline(piece, color, opacity, first && !line.closed, last && !line.closed);
-            first = false;
-            piece.erase(piece.begin(), piece.end() - 1);
-        };
-        piece.push_back(line.points.front());
-        for (std::size_t i = 1; i < line.points.size(); ++i) {
-            const SvgPoint a = line.points[i - 1], b = line.points[i];
-            const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(b.opacity - a.opacity) / same_opacity)));
-            for (int part = 1; part <= parts; ++part) {
-                const float t = static_cast<float>(part) / static_cast<float>(parts);
-                const SvgPoint next{glm::mix(a.place, b.place, t), glm::mix(a.width, b.width, t),
-                                    glm::mix(a.opacity, b.opacity, t)};
-                piece.push_back(next);
-                if (is_even(piece, &SvgPoint::opacity, same_opacity) || piece.size() == 2) continue;
-                piece.pop_back();
-                flush(false);
-                piece.push_back(next);
+    /// A line whose opacity varies: all of it with the least, what is more opaque again with a little more, and so on.
+    /// Pieces beside each other would show where they meet, as each is smoothed at its edge for itself.
+    void write_levels(const SvgLine& line, const std::string& color) {
+        const auto least = std::ranges::min(line.points, {}, &SvgPoint::opacity).opacity;
+        const int base = std::clamp(static_cast<int>(least * levels + 0.5f), 0, levels);
+        if (base > 0) write_run(line.points, line, color, static_cast<float>(base) / levels);
+        for (int level = base + 1; level <= levels; ++level) {
+            const float threshold = (static_cast<float>(level) - 0.5f) / levels;
+            const float more = 1.0f / static_cast<float>(levels - level + 1); // of what the levels below leave
+            std::vector<SvgPoint> run;
+            for (std::size_t i = 0; i < line.points.size(); ++i) {
+                const SvgPoint& point = line.points[i];
+                const bool above = point.opacity >= threshold;
+                if (i > 0 && above != (line.points[i - 1].opacity >= threshold)) {
+                    const SvgPoint& before = line.points[i - 1];
+                    const float t = (threshold - before.opacity) / (point.opacity - before.opacity);
+                    run.push_back(
+                        {glm::mix(before.place, point.place, t), glm::mix(before.width, point.width, t), threshold});
+                    if (!above) {
+                        write_run(run, line, color, more);
+                        run.clear();
+                    }
+                }
+                if (above) run.push_back(point);
             }
+            write_run(run, line, color, more);
         }
-        flush(true);
+    }
+
+    /// A part of a line with one opacity; round only where the line itself ends.
+    void write_run(const std::vector<SvgPoint>& run, const SvgLine& line, const std::string& color, float opacity) {
+        if (run.size() < 2) return;
+        const bool starts = !line.closed && run.front().place == line.points.front().place;
+        const bool ends = !line.closed && run.back().place == line.points.back().place;
+        write_outline(run, color, opacity, starts, ends);
     }
 
     std::string out_;

@@ -18,8 +18,18 @@ namespace hachure::test {
 struct SvgPath {
     std::string layer; ///< the id of the innermost group
     std::vector<glm::dvec2> points;
+    std::vector<glm::dvec2> corners; ///< those that the file says, without what makes arcs round
     bool closed = false, filled = false;
     double width = 0.0, opacity = 1.0;
+
+    /// The middle of the line: of an outline, that between its sides.
+    [[nodiscard]] std::vector<glm::dvec2> middle() const {
+        if (!filled) return points;
+        std::vector<glm::dvec2> result;
+        const std::size_t sides = corners.size() / 2 * 2; // an arc at the start ends where the path began
+        for (std::size_t i = 0; i < sides / 2; ++i) result.push_back(0.5 * (corners[i] + corners[sides - 1 - i]));
+        return result;
+    }
 };
 
 /// Reads what the house writes, and nothing else: whoever else reads SVG shares no code with it.
@@ -61,11 +71,13 @@ inline std::vector<SvgPath> read_svg_paths(std::string_view text) {
             } else if (command == 'M' || command == 'L') {
                 const double x = number();
                 path.points.emplace_back(x, number());
+                path.corners.push_back(path.points.back());
             } else if (command == 'A') {
                 for (int i = 0; i < 5; ++i) static_cast<void>(number());
                 const glm::dvec2 from = path.points.back();
                 const double x = number();
                 const glm::dvec2 to(x, number()), middle = 0.5 * (from + to), arm = from - middle;
+                path.corners.push_back(to);
                 for (int i = 1; i <= 12; ++i) { // clockwise as one sees it
                     const double a = 3.14159265358979 * i / 12;
                     path.points.push_back(middle + std::cos(a) * arm + std::sin(a) * glm::dvec2(-arm.y, arm.x));
