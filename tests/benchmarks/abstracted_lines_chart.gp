@@ -22,9 +22,9 @@ set linetype 6 linecolor "#c2272d" linewidth 2 pointtype 6 pointsize 1.8
 
 set multiplot layout 2, 2 margins 0.075, 0.985, 0.07, 0.86 spacing 0.085, 0.14
 set label 1 "Finding abstracted lines: how far off their place is, against time" at screen 0.012, 0.965 font ",17" textcolor "#202020"
-set label 2 "place: RMS of the pixels of dark bars as wide as the lines, at 12 angles and phases, contrast 1; time: blur and lines of both channels, bunny at 1024x768, by megapixel that lines can be in" \
+set label 2 "place: RMS over the pixels of bars as wide as the lines, at 12 angles and phases; a dotted line is the limit of .02 px" \
   at screen 0.012, 0.935 textcolor "#606060"
-set label 3 "a dotted line is the limit of .02 px" at screen 0.012, 0.912 textcolor "#606060"
+set label 3 "time: blur and lines of both channels, bunny at 1024x768, by megapixel that lines can be in" at screen 0.012, 0.912 textcolor "#606060"
 
 set logscale y
 set format y "%g"
