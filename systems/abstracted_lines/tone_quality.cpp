@@ -11,10 +11,10 @@ ToneImage resolved(const ToneImage& wanted) {
         made = {};
         break;
     case ToneQuality::fast:
-        made = {.taps = ToneTaps::square, .iterations = 3};
+        made = {.blur = ToneBlur::half, .taps = ToneTaps::square, .iterations = 3};
         break;
     case ToneQuality::accurate:
-        made = {.samples = 4, .taps = ToneTaps::wide, .iterations = 5};
+        made = {.samples = 4, .taps = ToneTaps::wide, .iterations = 8};
         break;
     }
     made.quality = ToneQuality::custom;

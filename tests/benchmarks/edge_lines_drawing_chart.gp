@@ -1,10 +1,10 @@
-#Draws what bench_edge_lines_drawing-- chart wrote : fidelity against cost, and what is lost while the eye moves.
-#gnuplot - e "sweep='edge_lines_drawing.csv'; picture='edge_lines_drawing.svg'" edge_lines_drawing_chart.gp
+# Draws what bench_edge_lines_drawing --chart wrote: fidelity against cost, and what is lost while the eye moves.
+#   gnuplot -e "sweep='edge_lines_drawing.csv'; picture='edge_lines_drawing.svg'" edge_lines_drawing_chart.gp
 
-if (picture [strlen(picture) - 2:] eq "png") {
-    set terminal pngcairo size 1100, 480 font "DejaVu Sans,10" background "white"
+if (picture[strlen(picture) - 2:] eq "png") {
+  set terminal pngcairo size 1100, 480 font "DejaVu Sans,10" background "white"
 } else {
-    set terminal svg size 1100, 480 font "DejaVu Sans, Helvetica, sans-serif,13" background "white"
+  set terminal svg size 1100, 480 font "DejaVu Sans, Helvetica, sans-serif,13" background "white"
 }
 set output picture
 set datafile separator ","
