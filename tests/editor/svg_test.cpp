@@ -96,7 +96,7 @@ TEST(Svg, LinesAreThoseOfThePixels) {
     // Gaps that links close are where no pixel is drawn.
     const Distances middles = from_middles(paths, opacity);
     EXPECT_GT(middles.count, 1000);
-    EXPECT_LE(middles.off, middles.count / 40);
+    EXPECT_LE(middles.off, middles.count / 100);
     EXPECT_LE(middles.most, 4.0);
     RecordProperty("middles", std::to_string(middles.off) + " of " + std::to_string(middles.count) + ", most " +
                                   std::to_string(middles.most));
