@@ -45,7 +45,8 @@ void check_picture(const std::string& option, const std::filesystem::path& file,
 
 void check_formats(const RenderOutputs& outputs, const FramePlan& plan) {
     const auto format = assets::frame_format(outputs.picture);
-    if (!format) throw UsageError("-o: '" + outputs.picture.string() + "' is neither a .png, .exr, .svg, .gif nor .mp4 file");
+    if (!format)
+        throw UsageError("-o: '" + outputs.picture.string() + "' is neither a .png, .exr, .svg, .gif nor .mp4 file");
     if (assets::is_film(*format))
         check_film(outputs.picture, *format, plan);
     else

@@ -25,6 +25,10 @@ constexpr float dot_length = 1.0f;
 /// What they saw so near to a line is that line, pixels.
 constexpr float beside_line = 1.5f;
 
+/// How much farther than the nearest an end may look at others: opposite arms of a crossing are 1.41 times as far
+/// apart as those beside each other.
+constexpr float past_nearest = 1.5f;
+
 /// Shorter spurs are none.
 constexpr float spur_pixels = 1.5f, spur_widths = 1.25f;
 
@@ -119,7 +123,7 @@ void LinkRidgesJob::find_free_ends() {
             const std::uint32_t node = chain_node(chain, at_end ? chain.count : 0);
             if (linked.degree[node] != 1) continue;
             const float reach = gap + gap_widths * linked.nodes[node].point.width;
-            free_ends.push_back({node, direction_ahead(chain, at_end), reach, none});
+            free_ends.push_back({.node = node, .ahead = direction_ahead(chain, at_end), .reach = reach});
         }
     }
 }
@@ -208,17 +212,8 @@ void LinkRidgesJob::merge_touching() {
     chain();
 }
 
-/// Ends that face each other within reach of both are of one cluster, which is named by the least of them.
-void LinkRidgesJob::cluster_ends(const Grid& grid) {
-    end_of_node.assign(linked.nodes.size(), none);
-    for (std::uint32_t i = 0; i < free_ends.size(); ++i) {
-        free_ends[i].cluster = i;
-        end_of_node[free_ends[i].node] = i;
-    }
-    const auto root = [&](std::uint32_t i) {
-        while (free_ends[i].cluster != i) i = free_ends[i].cluster;
-        return i;
-    };
+/// visit(i, j, distance) for ends that face each other within reach of both, each two once.
+template <class Visit> void LinkRidgesJob::each_facing(const Grid& grid, Visit&& visit) const {
     for (std::uint32_t i = 0; i < free_ends.size(); ++i) {
         const FreeEnd& end = free_ends[i];
         const RidgeNode& node = linked.nodes[end.node];
@@ -226,13 +221,36 @@ void LinkRidgesJob::cluster_ends(const Grid& grid) {
             const std::uint32_t j = end_of_node[other];
             if (j == none || j <= i || linked.nodes[other].owner != node.owner) return;
             const glm::vec2 there = linked.nodes[other].point.place;
-            if (glm::distance(node.point.place, there) > 2.0f * std::min(end.reach, free_ends[j].reach)) return;
-            if (!faces(end, node.point.place, there) || !faces(free_ends[j], there, node.point.place)) return;
-            const std::uint32_t a = root(i), b = root(j);
-            free_ends[std::max(a, b)].cluster = std::min(a, b);
+            const float distance = glm::distance(node.point.place, there);
+            if (distance > 2.0f * std::min(end.reach, free_ends[j].reach)) return;
+            if (faces(end, node.point.place, there) && faces(free_ends[j], there, node.point.place))
+                visit(i, j, distance);
         });
     }
-    for (FreeEnd& end : free_ends) end.cluster = free_ends[end.cluster].cluster;
+}
+
+/// Ends that face each other are of one cluster, which is named by the least of them; but none that looks past one much
+/// nearer.
+void LinkRidgesJob::cluster_ends(const Grid& grid) {
+    end_of_node.assign(linked.nodes.size(), none);
+    for (std::uint32_t i = 0; i < free_ends.size(); ++i) {
+        free_ends[i].cluster = i;
+        end_of_node[free_ends[i].node] = i;
+    }
+    each_facing(grid, [&](std::uint32_t i, std::uint32_t j, float distance) {
+        free_ends[i].nearest = std::min(free_ends[i].nearest, distance);
+        free_ends[j].nearest = std::min(free_ends[j].nearest, distance);
+    });
+    const auto root = [&](std::uint32_t i) {
+        while (free_ends[i].cluster != i) i = free_ends[i].cluster;
+        return i;
+    };
+    each_facing(grid, [&](std::uint32_t i, std::uint32_t j, float distance) {
+        if (distance > past_nearest * std::min(free_ends[i].nearest, free_ends[j].nearest)) return;
+        const std::uint32_t a = root(i), b = root(j);
+        free_ends[std::max(a, b)].cluster = std::min(a, b);
+    });
+    for (std::uint32_t i = 0; i < free_ends.size(); ++i) free_ends[i].cluster = root(i);
     std::ranges::sort(free_ends, {}, [](const FreeEnd& end) { return std::pair(end.cluster, end.node); });
 }
 

@@ -5,6 +5,7 @@
 #include <hachure/runtime/geometry/trace_ridges.h>
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,8 @@ struct LinkRidgesJob {
         std::uint32_t node;
         glm::vec2 ahead; ///< unit: where the line would go on
         float reach;     ///< pixels
-        std::uint32_t cluster;
+        std::uint32_t cluster = 0;
+        float nearest = std::numeric_limits<float>::max(); ///< distance to the nearest end that it faces
     };
     /// Where a node is on its chain.
     struct NodePlace {
@@ -99,6 +101,7 @@ private:
     [[nodiscard]] Grid sort_into_grid(float cell);
     template <class Visit> void each_near(const Grid& grid, glm::vec2 at, Visit&& visit) const;
     void merge_touching();
+    template <class Visit> void each_facing(const Grid& grid, Visit&& visit) const;
     void cluster_ends(const Grid& grid);
     void join_cluster(std::span<const FreeEnd> ends);
     [[nodiscard]] std::uint32_t find_line_ahead(const Grid& grid, const FreeEnd& end, float nearest) const;
