@@ -11,17 +11,15 @@ uniform vec4 thresholds; // c_l of dark and highlight lines of the diffuse tone,
 uniform float slack;     // below 1 where the search's own taps lie between texels
 
 vec2 texel_at(ivec2 texel) { return texelFetch(tones, clamp(texel, ivec2(0), textureSize(tones, 0) - 1), 0).rg; }
-vec2 tone_at(vec2 place) { return texel_at(ivec2(place)); }
+float tone_at(vec2 offset) { return texel_at(ivec2(gl_FragCoord.xy + offset)).r; }
 
 #include "abstracted_lines/fit.glsl"
 #include "abstracted_lines/guard.glsl"
 
 void main() {
-    Fit f = fit_here(ivec2(gl_FragCoord.xy));
-    vec2 mean = 0.5 * (f.xx + f.yy), difference = 0.5 * (f.xx - f.yy);
-    vec2 root = sqrt(difference * difference + f.xy * f.xy);
-    // The search looks at the eigenvalue of larger magnitude.
-    vec2 curvature = mix(mean + root, mean - root, lessThan(mean, vec2(0.0)));
+    Fit of_diffuse, of_specular;
+    fit_here(ivec2(gl_FragCoord.xy), of_diffuse, of_specular);
+    vec2 curvature = vec2(curvature_of(of_diffuse), curvature_of(of_specular));
     vec4 least = slack * rim_part * thresholds;
     bool diffuse = curvature.x >= least.x || -curvature.x >= least.y;
     bool specular = curvature.y >= least.w || -curvature.y >= least.z;

@@ -6,6 +6,7 @@
 layout(binding = 0) uniform sampler2D tones; // red: diffuse, green: specular; blurred by half a line's width
 #ifdef STACK
 // Widths vary: the next wider blur, and where widths are: blue: width times coverage, alpha: coverage, blurred widely.
+#include "abstracted_lines/widest_line.glsl"
 layout(binding = 1) uniform sampler2D wider_tones;
 layout(binding = 3) uniform sampler2D widths;
 uniform vec2 level_widths; // px, that the two images are blurred for
@@ -15,17 +16,32 @@ float wider_part;
 
 uniform float search_width;    // px, where widths don't vary: what lines are searched for as
 uniform float least_curvature; // below it nobody draws a line
-uniform vec2 texel_size;       // 1 / size of the images
 
-vec2 tone_at(vec2 place) {
-    vec2 tone = textureLod(tones, place * texel_size, 0.0).rg;
+ivec2 inside(ivec2 texel) { return clamp(texel, ivec2(0), textureSize(tones, 0) - 1); }
+
+vec2 texel_at(ivec2 texel) { return texelFetch(tones, inside(texel), 0).rg; }
+
+int searched = 0; // the channel
+
+// Of the four texels around a place between them. By whole texels and a fraction that do not depend on where in the
+// picture the pixel is: what moves by whole pixels has the same lines, bit for bit, which a filter of the driver does not
+// promise. One gather costs what the filter does; four fetches cost half as much again.
+float between(sampler2D image, vec2 corner, vec2 part) {
+    vec4 four = searched == 0 ? textureGather(image, corner, 0) : textureGather(image, corner, 1);
+    vec2 rows = mix(four.wx, four.zy, part.x);
+    return mix(rows.x, rows.y, part.y);
+}
+
+// The searched channel's tone at an offset from the pixel's middle, px.
+float tone_at(vec2 offset) {
+    vec2 whole = floor(offset), part = offset - whole;
+    vec2 corner = (floor(gl_FragCoord.xy) + whole + 1.0) / vec2(textureSize(tones, 0));
+    float tone = between(tones, corner, part);
 #ifdef STACK
-    tone = mix(tone, textureLod(wider_tones, place * texel_size, 0.0).rg, wider_part);
+    tone = mix(tone, between(wider_tones, corner, part), wider_part);
 #endif
     return tone;
 }
-
-vec2 texel_at(ivec2 texel) { return texelFetch(tones, clamp(texel, ivec2(0), textureSize(tones, 0) - 1), 0).rg; }
 
 #include "abstracted_lines/fit.glsl"
 #include "abstracted_lines/search.glsl"
@@ -54,17 +70,17 @@ struct Stroke {
 };
 Stroke no_stroke() { return Stroke(no_ridge(), 0.0, 0.0); }
 
-Stroke stroke_of(vec2 here, Fit fit, int channel, float width, float drawn_width, ToneLineStyle style) {
+Stroke stroke_of(Fit fit, int channel, float tone, float width, float drawn_width, ToneLineStyle style) {
     Stroke stroke = no_stroke();
-    float curvature = larger_eigenvalue(fit.xx[channel], fit.xy[channel], fit.yy[channel]);
+    searched = channel;
+    float curvature = curvature_of(fit);
     bool dark = curvature > 0.0;
     float wanted = channel == 0 ? (dark ? style.kinds.x : style.kinds.y) : (dark ? style.kinds.w : style.kinds.z);
     vec2 limits = dark ? style.thresholds.xy : style.thresholds.zw;
     if (wanted <= 0.0 || abs(curvature) < rim_part * limits.x) return stroke;
-    stroke.ridge = follow(here, fit, channel, width, style.color.w, limits.x);
+    stroke.ridge = follow(fit, width, style.color.w, limits.x);
     if (!stroke.ridge.found) return stroke;
     // Counterchange: dark lines are lighter where the tone is light, highlight lines where it is dark.
-    float tone = clamp(fit.tone[0], 0.0, 1.0);
     float against = mix(1.0, dark ? 1.0 - tone : tone, style.line.z);
     stroke.strength = clamp((abs(stroke.ridge.curvature) - limits.x) / (limits.y - limits.x), 0.0, 1.0) * against;
     stroke.opacity = stroke.strength * across_width(length(stroke.ridge.offset), drawn_width, style.highlight_color.w);
@@ -105,11 +121,10 @@ void write_strokes(Stroke diffuse, Stroke specular, float width, uint owner, vec
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec2 here = gl_FragCoord.xy;
 #ifdef STACK
     vec2 found = texelFetch(widths, pixel, 0).ba;
     if (found.y < 1e-3) discard;
-    float width = found.x / found.y;
+    float width = widest_line * found.x / found.y;
     if ((width < level_widths.x && !first_level) || (width >= level_widths.y && !last_level)) discard;
     float search = clamp(width, level_widths.x, level_widths.y);
     wider_part = (search * search - level_widths.x * level_widths.x) /
@@ -117,14 +132,16 @@ void main() {
 #else
     float search = search_width;
 #endif
+    Fit first, second; // of the diffuse and of the specular tone
 #ifdef WHOLE_SPACING
-    Fit fit = fit_here(pixel);
+    fit_here(pixel, first, second);
 #else
-    Fit fit = fit_at(here, 0.5 * search);
+    first = fit_at(vec2(0.0), 0.5 * search);
+    searched = 1;
+    second = fit_at(vec2(0.0), 0.5 * search);
 #endif
     // Before anything is divided: flat tones and ramps end here.
-    vec2 curvature = abs(larger_eigenvalues(fit));
-    if (!(max(curvature.x, curvature.y) >= rim_part * least_curvature)) discard;
+    if (!(max(abs(curvature_of(first)), abs(curvature_of(second))) >= rim_part * least_curvature)) discard;
 #ifdef UNIFORM_STYLE
     ToneLineStyle style = only_style;
     uint owner = 1u;
@@ -137,11 +154,12 @@ void main() {
     float width = style.line.x; // one below the narrowest that is searched for is drawn thinner
 #endif
     Stroke diffuse = no_stroke(), specular = no_stroke();
+    float tone = clamp(first.tone, 0.0, 1.0);
 #if CHANNELS != 2
-    diffuse = stroke_of(here, fit, 0, search, width, style);
+    diffuse = stroke_of(first, 0, tone, search, width, style);
 #endif
 #if CHANNELS != 1
-    specular = stroke_of(here, fit, 1, search, width, style);
+    specular = stroke_of(second, 1, tone, search, width, style);
 #endif
-    write_strokes(diffuse, specular, width, owner, fit.tone, style);
+    write_strokes(diffuse, specular, width, owner, vec2(first.tone, second.tone), style);
 }

@@ -10,6 +10,7 @@ uniform float wrap;
 uniform float albedo;
 uniform float shininess;
 #ifdef WIDTHS
+#include "abstracted_lines/widest_line.glsl"
 uniform float full_width;          // px
 uniform float least_width;         // px
 uniform float full_width_distance; // metres; 0: width does not depend on distance
@@ -52,7 +53,7 @@ void main() {
     float own = sqrt(clamp(luminance(surface_color()), 0.0, 1.0));
     vec2 tone = vec2((1.0 - unlit) * mix(1.0, own, albedo), 1.0 - dull);
 #ifdef WIDTHS
-    out_color = vec4(tone, line_width(), 1.0);
+    out_color = vec4(tone, line_width() / widest_line, 1.0);
 #else
     out_color = vec4(tone, 0.0, 1.0);
 #endif

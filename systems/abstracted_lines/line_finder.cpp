@@ -38,7 +38,6 @@ gpu::ProgramSource program_source(const LineFindJob& job, int channels) {
 void set_uniforms(const LineFindJob& job, const gpu::TextureDesc& desc, gpu::Program& program) {
     program.set("search_width", job.width);
     program.set("least_curvature", job.least_curvature);
-    program.set("texel_size", 1.0f / glm::vec2(desc.width, desc.height));
     if (job.object_ids == 0) return;
     program.set("object_area", glm::ivec4(0, 0, desc.width - 1, desc.height - 1));
     const double widest = std::max<double>(job.levels.back().width, job.width);
@@ -109,7 +108,6 @@ void LineFinder::search(RenderContext& render, const LineFindJob& job, int chann
                 .blend = job.output == LineOutput::layer ? gpu::Blend::premultiplied : gpu::Blend::off});
     if (job.object_ids) render.backend->texture(job.object_ids).bind(2);
     program.use();
-    for (const GLuint unit : {0u, 1u}) linear_.bind(unit);
     const std::size_t passes = std::max<std::size_t>(1, job.levels.size() - 1);
     for (std::size_t i = 0; i < passes; ++i) {
         render.backend->texture(job.levels[i].texture).bind(0);
@@ -120,14 +118,12 @@ void LineFinder::search(RenderContext& render, const LineFindJob& job, int chann
         }
         render.full_screen.draw();
     }
-    for (const GLuint unit : {0u, 1u}) gpu::Sampler::unbind(unit);
 }
 
 void LineFinder::run(RenderContext& render, const LineFindJob& job) {
     HACHURE_ASSERT(!job.levels.empty() && !job.styles.empty(), "there is a tone image, and a style");
     HACHURE_ASSERT(!job.mark_first || job.levels.size() == 1, "candidates are of one width");
     upload(job);
-    if (linear_.name() == 0) linear_ = gpu::Sampler(gpu::Sampling{}, "tones between texels");
     if (!job.mark_first) return search(render, job, 3);
     mark_candidates(render, job);
     for (const int channels : {1, 2, 3}) search(render, job, channels);

@@ -3,7 +3,6 @@
 #include <hachure/components/tone_image.h>
 #include <hachure/runtime/gpu/buffer.h>
 #include <hachure/runtime/gpu/framebuffer.h>
-#include <hachure/runtime/gpu/sampler.h>
 #include <hachure/systems/abstracted_lines/tone_line_style.h>
 
 #include <cstdint>
@@ -56,7 +55,6 @@ private:
     void mark_candidates(RenderContext& render, const LineFindJob& job) const;
     /// Of the pixels that are marked for these channels, or of all.
     void search(RenderContext& render, const LineFindJob& job, int channels) const;
-    gpu::Sampler linear_; ///< the frame graph's textures are read without a filter by themselves
     gpu::Buffer buffer_;
     bool uniform_ = false; ///< what the buffer is for
 };
