@@ -15,7 +15,7 @@ std::vector<double> stack_widths(double narrowest, double widest) {
     return widths;
 }
 
-int blur_radius(double sigma) { return std::max(1, static_cast<int>(std::ceil(3.0 * sigma))); }
+int blur_radius(double sigma) { return std::max(1, static_cast<int>(std::ceil(2.75 * sigma))); }
 
 std::vector<float> blur_weights(double sigma) {
     const int radius = blur_radius(sigma);
