@@ -15,6 +15,17 @@ std::vector<double> stack_widths(double narrowest, double widest) {
     return widths;
 }
 
+std::vector<double> stack_steps(const std::vector<double>& widths) {
+    std::vector<double> steps;
+    double before = 0.0;
+    for (const double width : widths) {
+        const double sigma = blur_sigma(width);
+        steps.push_back(std::sqrt(sigma * sigma - before * before));
+        before = sigma;
+    }
+    return steps;
+}
+
 int blur_radius(double sigma) { return std::max(1, static_cast<int>(std::ceil(2.75 * sigma))); }
 
 std::vector<float> blur_weights(double sigma) {

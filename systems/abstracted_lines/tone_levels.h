@@ -13,6 +13,9 @@ namespace hachure {
 /// the widest in steps of at most the root of two, between which lines blend their tones by variance.
 [[nodiscard]] std::vector<double> stack_widths(double narrowest, double widest);
 
+/// By how much each image of a stack blurs the one before it, px.
+[[nodiscard]] std::vector<double> stack_steps(const std::vector<double>& widths);
+
 /// How many texels to each side a blur looks at: 2.75 deviations, beyond which a 170th of a Gaussian lies.
 [[nodiscard]] int blur_radius(double sigma);
 

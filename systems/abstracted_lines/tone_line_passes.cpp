@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <optional>
 
 namespace hachure {
@@ -219,41 +218,36 @@ void ToneLinePasses::declare_specular(World& world, const Textures& textures) {
 void ToneLinePasses::declare_blur(World& world, Textures& textures) {
     RenderContext& render = world.resource_mutable<RenderContext>();
     const ToneLineFrame& frame = world.resource<ToneLineFrame>();
-    const std::vector<double> widths = widths_of(frame);
+    const std::vector<double> steps = stack_steps(widths_of(frame));
     const BlurPass& made = render.graph.add_pass<BlurPass>(
         "tone_blur",
         [&](gpu::PassBuilder& pass, BlurPass& data) {
             data.tone = pass.read(textures.tone);
             const gpu::TextureDesc desc = render.graph.desc(textures.tone);
-            for (std::size_t i = 0; i < widths.size(); ++i) {
+            for (std::size_t i = 0; i < steps.size(); ++i) {
                 data.levels.push_back(pass.create(fmt::format("tone_level_{}", i), desc));
                 auto& scratch = data.scratch.emplace_back();
-                for (const gpu::TextureDesc& other :
-                     ToneBlurJob::scratch(frame.quality.blur, blur_sigma(widths[i]), desc))
+                for (const gpu::TextureDesc& other : ToneBlurJob::scratch(frame.quality.blur, steps[i], desc))
                     scratch.push_back(pass.create(fmt::format("tone_scratch_{}_{}", i, scratch.size()), other));
             }
             pass.depends_on(styles_key(frame), render.shaders->generation());
             depend_on_rect(pass, frame.rects.blurred);
         },
-        [&world, &render, widths](const BlurPass& data, gpu::PassContext& pass) {
+        [&world, &render, steps](const BlurPass& data, gpu::PassContext& pass) {
             const ToneLineFrame& drawn = world.resource<ToneLineFrame>();
             if (drawn.rects.empty()) return;
             // Each level blurs the one before it a little more; all but the last are also looked at around what is.
-            double before = 0.0;
-            gpu::Rect valid = drawn.rects.shaded;
-            for (std::size_t i = 0; i < widths.size(); ++i) {
-                const double sigma = blur_sigma(widths[i]);
-                const gpu::Rect rect = i + 1 == widths.size() ? drawn.rects.blurred : drawn.rects.shaded;
+            for (std::size_t i = 0; i < steps.size(); ++i) {
+                const gpu::Rect rect = i + 1 == steps.size() ? drawn.rects.blurred : drawn.rects.shaded;
                 std::vector<std::uint32_t> scratch;
                 for (const TextureHandle handle : data.scratch[i]) scratch.push_back(pass.texture(handle));
                 ToneBlurJob{.kind = drawn.quality.blur,
-                            .sigma = std::sqrt(sigma * sigma - before * before),
+                            .sigma = steps[i],
                             .from = i == 0 ? pass.texture(data.tone) : pass.texture(data.levels[i - 1]),
                             .to = pass.texture(data.levels[i]),
-                            .valid = valid,
+                            .valid = drawn.rects.shaded,
                             .rect = rect}
                     .run(render, scratch);
-                before = sigma;
             }
         });
     textures.levels = made.levels;
