@@ -122,7 +122,8 @@ void LinkRidgesJob::find_free_ends() {
         for (const bool at_end : {false, true}) {
             const std::uint32_t node = chain_node(chain, at_end ? chain.count : 0);
             if (linked.degree[node] != 1) continue;
-            const float reach = gap + gap_widths * linked.nodes[node].point.width;
+            const bool closes = limits.empty() || !limits[linked.nodes[node].owner].gaps;
+            const float reach = closes ? gap + gap_widths * linked.nodes[node].point.width : 0.5f;
             free_ends.push_back({.node = node, .ahead = direction_ahead(chain, at_end), .reach = reach});
         }
     }

@@ -15,6 +15,7 @@ namespace hachure::geometry {
 struct LineLimits {
     float min_length = 0.0f; ///< pixels: shorter ones with a free end are left out
     bool spurs = true;       ///< else those about as long as the line that they begin at is wide are, too
+    bool gaps = false;       ///< gaps wider than a pixel stay: every place of a line is within half a pixel of pieces
 };
 
 /// Makes lines of the pieces that TraceRidgesJob found: links them, closes gaps, and leaves some out.

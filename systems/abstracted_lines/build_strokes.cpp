@@ -124,8 +124,11 @@ void StrokeBuilder::append(const Work& work, const StrokeFrame& frame, StrokeSet
 
 void StrokeBuilder::build(const RidgeMaps& maps, const StrokeFrame& frame, const View& view, StrokeSet& set) {
     limits_.clear();
-    for (const StrokeOwner& owner : frame.owners) // lines that pixels draw are known with every speck that those draw
-        limits_.push_back({owner.lines.min_length * owner.width, owner.lines.method == ToneLineMethod::pixels});
+    for (const StrokeOwner& owner :
+         frame.owners) { // lines that pixels draw are known with every speck and gap of those
+        const bool as_pixels = owner.lines.method == ToneLineMethod::pixels;
+        limits_.push_back({owner.lines.min_length * owner.width, as_pixels, as_pixels});
+    }
     parallel_for(works_.size(), [&](std::size_t i) {
         works_[i].kind = static_cast<StrokeKind>(i);
         run(works_[i], maps, frame, view);
