@@ -122,8 +122,7 @@ void LinkRidgesJob::find_free_ends() {
         for (const bool at_end : {false, true}) {
             const std::uint32_t node = chain_node(chain, at_end ? chain.count : 0);
             if (linked.degree[node] != 1) continue;
-            const bool closes = limits.empty() || !limits[linked.nodes[node].owner].gaps;
-            const float reach = closes ? gap + gap_widths * linked.nodes[node].point.width : 0.5f;
+            const float reach = gap + gap_widths * linked.nodes[node].point.width;
             free_ends.push_back({.node = node, .ahead = direction_ahead(chain, at_end), .reach = reach});
         }
     }
@@ -255,6 +254,26 @@ void LinkRidgesJob::cluster_ends(const Grid& grid) {
     std::ranges::sort(free_ends, {}, [](const FreeEnd& end) { return std::pair(end.cluster, end.node); });
 }
 
+bool LinkRidgesJob::may_join(std::uint32_t a, std::uint32_t b) const {
+    return may_join(linked.nodes[a].owner, linked.nodes[a].point.place, linked.nodes[b].point.place);
+}
+
+bool LinkRidgesJob::may_join(std::uint32_t owner, glm::vec2 a, glm::vec2 b) const {
+    if (limits.empty() || !limits[owner].gaps) return true;
+    const int steps = static_cast<int>(2.0f * glm::distance(a, b));
+    for (int i = 1; i < steps; ++i) {
+        const glm::vec2 place = glm::mix(a, b, static_cast<float>(i) / static_cast<float>(steps));
+        const glm::ivec2 pixel =
+            glm::clamp(glm::ivec2(place), glm::ivec2(0), glm::ivec2(image.width, image.height) - 1);
+        const std::size_t at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(image.width) +
+                               static_cast<std::size_t>(pixel.x);
+        const glm::vec4& shown = image.points[at];
+        if (shown.w <= 0.0f || shown.z * sign <= 0.0f) return false;
+        if (glm::length(glm::vec2(shown)) > 0.5f * image.directions[at].z) return false;
+    }
+    return true;
+}
+
 void LinkRidgesJob::join_cluster(std::span<const FreeEnd> ends) {
     MeetingPlace meeting;
     RidgeNode node{{}, {}, linked.nodes[ends[0].node].owner};
@@ -267,7 +286,9 @@ void LinkRidgesJob::join_cluster(std::span<const FreeEnd> ends) {
     }
     const glm::vec2 middle = share * meeting.sum, place = meeting.solve();
     node.point.place = glm::distance(middle, place) <= ends[0].reach ? place : middle;
-    for (const FreeEnd& end : ends) linked.segments.push_back({end.node, linked.nodes.size()});
+    for (const FreeEnd& end : ends)
+        if (may_join(node.owner, linked.nodes[end.node].point.place, node.point.place))
+            linked.segments.push_back({end.node, linked.nodes.size()});
     linked.nodes.push_back(node);
 }
 
@@ -291,8 +312,9 @@ std::uint32_t LinkRidgesJob::find_line_ahead(const Grid& grid, const FreeEnd& en
 /// To the line ahead, if there is one: a T. Returns whether there is.
 bool LinkRidgesJob::join_line_ahead(const Grid& grid, const FreeEnd& end, float nearest) {
     const std::uint32_t node = find_line_ahead(grid, end, nearest);
-    if (node != none) linked.segments.push_back({end.node, node});
-    return node != none;
+    if (node == none || !may_join(end.node, node)) return false;
+    linked.segments.push_back({end.node, node});
+    return true;
 }
 
 /// Two ends that face each other become one line, unless another one passes between them: then both end at it.
@@ -300,7 +322,7 @@ void LinkRidgesJob::join_pair(const Grid& grid, const FreeEnd& a, const FreeEnd&
     const float between = glm::distance(linked.nodes[a.node].point.place, linked.nodes[b.node].point.place);
     const bool a_joined = join_line_ahead(grid, a, std::min(a.reach, between));
     const bool b_joined = join_line_ahead(grid, b, std::min(b.reach, between));
-    if (!a_joined && !b_joined) linked.segments.push_back({a.node, b.node});
+    if (!a_joined && !b_joined && may_join(a.node, b.node)) linked.segments.push_back({a.node, b.node});
 }
 
 void LinkRidgesJob::close_gaps() {

@@ -15,7 +15,7 @@ namespace hachure::geometry {
 struct LineLimits {
     float min_length = 0.0f; ///< pixels: shorter ones with a free end are left out
     bool spurs = true;       ///< else those about as long as the line that they begin at is wide are, too
-    bool gaps = false;       ///< gaps wider than a pixel stay: every place of a line is within half a pixel of pieces
+    bool gaps = false;       ///< gaps stay where no pixel shows a line of the kind
 };
 
 /// Makes lines of the pieces that TraceRidgesJob found: links them, closes gaps, and leaves some out.
@@ -30,6 +30,8 @@ struct LinkRidgesJob {
     float gap_widths = 0.75f;              ///< plus so many widths of its line
     /// What is left out, by owner; nothing where there is none.
     std::span<const LineLimits> limits{};
+    RidgeImage image{}; ///< what pixels show, where `limits` keep gaps
+    float sign = 1.0f;  ///< of the lines' curvature
 
     /// Out, kept from run to run; sorted by nothing but where they were found. Lines are at least two points long.
     PolylineSet lines{};
@@ -88,6 +90,9 @@ struct LinkRidgesJob {
     std::vector<std::uint32_t> cell_starts{}, cell_nodes{};
 
 private:
+    /// Whether a gap between two places of an owner's lines may be closed: where gaps stay, pixels must show it closed.
+    [[nodiscard]] bool may_join(std::uint32_t owner, glm::vec2 a, glm::vec2 b) const;
+    [[nodiscard]] bool may_join(std::uint32_t a, std::uint32_t b) const; ///< two nodes
     struct Grid {
         float cell = 1.0f;
         glm::vec2 origin{0.0f};

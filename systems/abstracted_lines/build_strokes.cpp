@@ -87,6 +87,8 @@ void StrokeBuilder::run(Work& work, const RidgeMaps& maps, const StrokeFrame& fr
     work.link.nodes = work.trace.nodes;
     work.link.segments = work.trace.segments;
     work.link.limits = limits_;
+    work.link.image = work.trace.image;
+    work.link.sign = work.trace.sign;
     work.link.run();
     const geometry::PolylineSet& lines = work.link.lines;
     work.simplify.lines = &lines;

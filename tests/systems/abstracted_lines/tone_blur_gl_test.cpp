@@ -106,7 +106,7 @@ Bounds bounds(Kind kind) {
     switch (kind) {
     case Kind::exact:
     case Kind::separable:
-        return {2e-3, 2e-3};
+        return {4e-3, 4e-3};
     case Kind::recursive:
         return {0.01, 0.01};
     case Kind::half:
