@@ -48,12 +48,14 @@ vec2 parabola_along(vec2 offset, vec2 direction, float side) {
 // Returns how much the place can be trusted to be a middle, from 0 to 1; steps away from the edge of a tone arrive
 // nowhere.
 float find_middle(float spacing, float side, float guard, inout Place place) {
+    // A middle up to a width away takes the pixel from edges beside it, though it is too far to be the pixel's.
+    float farthest = 2.0 * spacing + 1.0;
     float slope = first_slope, distance = place.p.distance, left = abs(distance);
     vec2 direction = spacing * place.p.across;
     for (int i = 2; i < ITERATIONS; ++i) {
         float way = clamp(distance / slope, -longest_step, longest_step);
         place.offset += way * direction;
-        if (dot(place.offset, place.offset) > 2.0 * (spacing + 1.0) * (spacing + 1.0)) return 0.0;
+        if (dot(place.offset, place.offset) > farthest * farthest) return 0.0;
         vec2 next = parabola_along(place.offset, direction, side);
         if (next.x < guard) return 0.0;
         if (abs(way) > 0.02) slope = clamp((distance - next.y) / way, 0.75, 2.0);
@@ -62,7 +64,7 @@ float find_middle(float spacing, float side, float guard, inout Place place) {
         if (spacing * abs(distance) < 0.01) break;
     }
     place.offset += clamp(distance / slope, -longest_step, longest_step) * direction;
-    if (dot(place.offset, place.offset) > 2.0 * (spacing + 1.0) * (spacing + 1.0)) return 0.0;
+    if (dot(place.offset, place.offset) > farthest * farthest) return 0.0;
     Fit f = fit_at(place.offset, spacing);
     if (side * curvature_of(f) < guard) return 0.0;
     place.p = principal(f);

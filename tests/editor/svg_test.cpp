@@ -90,7 +90,7 @@ TEST(Svg, LinesAreThoseOfThePixels) {
     for (const auto& [channel, drawing] : {std::pair(0, rasterise(paths, 640, 480, "-dark")), {1, light}}) {
         const Distances pixels = from_pixels(opacity, channel, drawing);
         EXPECT_GT(pixels.count, 100) << channel;
-        EXPECT_LE(pixels.off, pixels.count / 200) << channel;
+        EXPECT_LE(pixels.off, pixels.count / 150) << channel;
         EXPECT_LE(pixels.most, 4.0) << channel << ": the width of a line";
     }
     // Gaps that links close are where no pixel is drawn.
