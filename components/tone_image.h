@@ -6,14 +6,15 @@
 
 namespace hachure {
 
-/// How much work goes into finding lines: points on the front of error against time (docs/abstracted-lines.md).
+/// How much work goes into finding lines: docs/abstracted-lines-accuracy.md has the
+/// chart that they were chosen from.
 enum class ToneQuality { standard, fast, accurate, custom };
 
 enum class ToneBlur {
-    exact,     ///< every texel within three deviations, in two dimensions: the reference
+    exact,     ///< every texel of the Gaussian, in two dimensions: the reference
     separable, ///< along rows, then along columns
     recursive, ///< a recursive filter along rows and columns: one cost for every width
-    half,      ///< separable, at half the resolution
+    half,      ///< separable, at half the resolution, or less, where two texels of a deviation are left
     kawase,    ///< down and up a pyramid (dual Kawase)
 };
 

@@ -1,8 +1,6 @@
 #version 450 core
 // Lines along ridges and valleys of the blurred tone image (Lee et al. 2007, section 3). What the pixel finds becomes
 // its colour, or with MAPS and POINTS numbers for others. Where there is no line nothing is written.
-#include "common/constants.glsl"
-
 layout(binding = 0) uniform sampler2D tones; // red: diffuse, green: specular; blurred by half a line's width
 #ifdef STACK
 // Widths vary: the next wider blur, and where widths are: blue: width times coverage, alpha: coverage, blurred widely.
