@@ -115,6 +115,7 @@ void register_compose(App& app) {
         .after("toon.pass")
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
+        .after("implicit_brush.pass")
         .after("paper.pass");
 }
 
