@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <optional>
+#include <cmath>
 #include <string_view>
 
 namespace hachure {
@@ -33,6 +33,48 @@ std::uint64_t owners_key(const BrushFrame& frame, std::size_t draw) {
 std::uint64_t style_key(const BrushStyle& style) {
     return gpu::key_of(style.peak, style.spread, style.size, style.color, style.weak_color, style.tint, style.drivers,
                        style.choices, style.noise, style.scale);
+}
+
+/// What painting depends on besides its stamps.
+std::uint64_t paint_key(const BrushDraw& draw) {
+    const ImplicitBrush& brush = draw.brush;
+    return gpu::key_of(static_cast<int>(brush.tip), std::string_view(brush.tip_file), brush.aspect, brush.opacity,
+                       brush.contrast, brush.canvas, brush.peak, draw.radius, static_cast<int>(brush.method),
+                       draw.style.size, draw.style.color);
+}
+
+/// Whether all stamps lie alike about their pixels.
+bool same_place(const ImplicitBrush& brush) {
+    const bool turned = brush.turn != BrushTurn::fixed || brush.turn_noise > 0.0f;
+    const bool moved = brush.shift_along != 0.0f || brush.shift_across != 0.0f || brush.wobble > 0.0f;
+    const bool sized = brush.size_by != BrushDriver::constant || brush.size_noise > 0.0f ||
+                       brush.unit == BrushUnit::world;
+    return !turned && !moved && !sized;
+}
+
+/// All of it but the textures.
+ConvolveJob convolve_job(const BrushDraw& draw, const FeatureImage& quality, const TipBitmap* bitmap) {
+    const ImplicitBrush& brush = draw.brush;
+    const float shift = std::abs(brush.shift_along) + std::abs(brush.shift_across) + 1.42f * brush.wobble;
+    // Halves do for heights, but sums of many stamps round by a hundredth.
+    const bool halves = quality.storage == FeatureStorage::rgba16f && quality.quality != FeatureQuality::standard;
+    ConvolveJob job{.method = brush.method,
+                    .stamps = draw.rect,
+                    .footprint = {.tip = brush.tip,
+                                  .aspect = brush.aspect,
+                                  .bitmap_mean = bitmap ? bitmap->mean : 0.0f},
+                    .bitmap = bitmap,
+                    .radius = draw.radius,
+                    .largest_radius = draw.radius,
+                    .largest_shift = shift * draw.radius,
+                    .peak = brush.peak,
+                    .contrast = brush.contrast,
+                    .opacity = brush.opacity,
+                    .canvas = {.amount = brush.canvas},
+                    .sums = halves ? gpu::Format::rgba16f : gpu::Format::rgba32f};
+    if (same_place(brush)) job.same_place = glm::vec4(0.0f, 0.0f, draw.radius, brush.angle);
+    if (brush.coloring == BrushColor::constant && brush.color_noise <= 0.0f) job.same_color = brush.color;
+    return job;
 }
 
 struct StampPass {
@@ -107,6 +149,56 @@ BrushPasses::Stamps BrushPasses::declare_stamps(World& world, std::size_t index,
                                  .ink = id(data.ink)});
         });
     return {made.place, made.ink};
+}
+
+/// Lays the brush's ink onto the line layer, which is cleared by whoever is first.
+void BrushPasses::declare_ink(World& world, std::size_t index, const Stamps& stamps, TextureHandle noise) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    gpu::FrameGraph& graph = render.graph;
+    const View& view = world.resource<View>();
+    const BrushFrame& frame = world.resource<BrushFrame>();
+    const BrushDraw& draw = frame.draws[index];
+    const TipBitmap* bitmap = draw.brush.tip == BrushTip::bitmap ? &tips_.get(draw.brush.tip_file) : nullptr;
+    const ConvolveJob job = convolve_job(draw, frame.quality, bitmap);
+    const gpu::Rect cleared = world.resource<LineLayer>().rect();
+    graph.add_pass<InkPass>(
+        fmt::format("brush_{}", index),
+        [&](gpu::PassBuilder& pass, InkPass& data) {
+            data.place = pass.read(stamps.place);
+            data.ink = pass.read(stamps.ink);
+            if (noise && draw.brush.canvas > 0.0f) data.noise = pass.read(noise);
+            const std::vector<gpu::TextureDesc> descs = job.scratch(view.width, view.height);
+            for (std::size_t i = 0; i < descs.size(); ++i)
+                data.scratch.push_back(pass.create(fmt::format("brush_sum_{}_{}", index, i), descs[i]));
+            const TextureHandle below = graph.find("line_layer");
+            data.clear = !below;
+            data.layer = below ? pass.write(below)
+                               : pass.create("line_layer", {view.width, view.height, gpu::Format::rgba16f});
+            graph.publish("line_layer", data.layer);
+            pass.depends_on(paint_key(draw), cleared.x, cleared.y, cleared.width, cleared.height,
+                            render.shaders->generation());
+            depend_on_rect(pass, draw.rect);
+        },
+        [this, &world, &render, job, cleared](const InkPass& data, gpu::PassContext& pass) {
+            if (data.clear) {
+                // Compose looks at the rectangle of all lines alone, who asks for the layer as an AOV at all of it.
+                const bool whole = !world.resource<FrameRequests>().aovs.empty();
+                const gpu::Framebuffer& layer = render.backend->framebuffer({pass.texture(data.layer)});
+                layer.bind();
+                gpu::DrawState state{.viewport = {0, 0, layer.width(), layer.height()}};
+                if (!whole) state.scissor = cleared;
+                gpu::apply(state);
+                layer.clear_color(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+            }
+            ConvolveJob run = job;
+            run.places = pass.texture(data.place);
+            run.inks = pass.texture(data.ink);
+            run.canvas.texture = data.noise ? pass.texture(data.noise) : 0;
+            run.target = pass.texture(data.layer);
+            std::vector<std::uint32_t> scratch;
+            for (const TextureHandle handle : data.scratch) scratch.push_back(pass.texture(handle));
+            convolver_.run(render, run, scratch);
+        });
 }
 
 } // namespace hachure

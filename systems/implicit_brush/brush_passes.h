@@ -3,9 +3,10 @@
 #include <hachure/runtime/ecs/world.h>
 #include <hachure/runtime/gpu/frame_graph.h>
 #include <hachure/systems/implicit_brush/brush_noise.h>
-#include <hachure/systems/implicit_brush/convolver.h>
 #include <hachure/systems/implicit_brush/feature_passes.h>
+#include <hachure/systems/implicit_brush/stamp_convolver.h>
 #include <hachure/systems/implicit_brush/stamp_job.h>
+#include <hachure/systems/implicit_brush/tip_textures.h>
 
 #include <cstddef>
 #include <span>
@@ -31,7 +32,8 @@ private:
     FeaturePasses features_;
     BrushNoisePasses noises_;
     StampMaker stamps_;
-    Convolver convolver_;
+    StampConvolver convolver_;
+    TipTextures tips_;
 };
 
 } // namespace hachure
