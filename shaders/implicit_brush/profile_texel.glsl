@@ -1,4 +1,6 @@
 // Feature data at and between pixels.
+#include "implicit_brush/direction.glsl"
+
 layout(binding = 0) uniform sampler2D features; // h, cos and sin of twice theta's angle, gamma
 
 uniform ivec4 area; // first and last pixel that have features
@@ -31,14 +33,4 @@ float height_at(vec2 offset) {
 float singularity_at(vec2 offset) {
     Between b = between(offset);
     return mixed(textureGather(features, b.corner, 3), b.part);
-}
-
-// Theta's direction, of either sign.
-vec2 direction_of(vec2 twice) {
-    float size = length(twice);
-    if (size < 1e-4) return vec2(0.0);
-    float c = twice.x / size;
-    // The half angle by the form that does not cancel.
-    float a = sqrt(0.5 + 0.5 * abs(c)), b = 0.5 * twice.y / (size * a);
-    return c >= 0.0 ? vec2(a, b) : vec2(b, a);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace hachure {
@@ -13,14 +14,18 @@ namespace {
 /// two rows has a gradient of 1, and a Gaussian of all variance there is smooths them.
 float contour_peak(int reach) {
     const double variance = 0.5 + 0.5 * reach;
-    return static_cast<float>(2.0 / std::sqrt(2.0 * 3.14159265358979 * (variance + 0.25)));
+    return static_cast<float>(2.0 / std::sqrt(2.0 * std::numbers::pi * (variance + 0.25)));
+}
+
+int reach_of(const FeatureDataJob& job) {
+    return contour_reach(job.window.world_depth ? middling_contour_window : job.window.length);
 }
 
 /// The smoothed tensor of contours.
 void run_contours(RenderContext& render, const FeatureDataJob& job) {
     draw_field(render, render.shaders->program(field_program("implicit_brush/contour_tensor.frag")), job.rect,
                job.scratch, {job.slopes});
-    WidenJob{contour_reach(job.window.length), job.scratch, job.scratch_2, job.to, job.rect}.run(render);
+    WidenJob{reach_of(job), job.scratch, job.scratch_2, job.to, job.rect}.run(render);
 }
 
 } // namespace
@@ -36,7 +41,7 @@ void FeatureDataJob::run(RenderContext& render) const {
     if (window.world_depth) source.defines.push_back({"WORLD_WINDOW", ""});
     gpu::Program& program = render.shaders->program(source);
     program.set("window", window.length);
-    if (contours) program.set("peak", contour_peak(contour_reach(window.length)));
+    if (contours) program.set("peak", contour_peak(reach_of(*this)));
     draw_field(render, program, rect, scratch, {contours ? scratch_2 : slopes, 0, window.world_depth});
     draw_field(render, render.shaders->program(field_program("implicit_brush/singularity.frag")), rect, to, {scratch});
 }

@@ -28,4 +28,7 @@ struct FeatureDataJob {
 /// slope.
 [[nodiscard]] int contour_reach(float window);
 
+/// The window, px, that contours are smoothed for where theirs is in metres, and so is another at each pixel.
+inline constexpr float middling_contour_window = 8.0f;
+
 } // namespace hachure

@@ -19,7 +19,7 @@ constexpr float plain_mark = 0.5f, singular_mark = 1.0f;
 void mark_candidates(RenderContext& render, const FeatureProfileJob& job, gpu::DrawState state) {
     gpu::Program& program = render.shaders->program(field_program("implicit_brush/profile_marks.frag"));
     const float window = job.window.world_depth ? job.reach : job.window.length;
-    program.set("area", area_of(job.rect));
+    program.set("area", area_of(job.valid));
     program.set("least_height", 0.95f * job.least_height);
     program.set("reach", std::min({job.reach, window, 32.0f}));
     program.set("most_singular", 0.5f * job.most_singular);
@@ -37,7 +37,7 @@ void find_profiles(RenderContext& render, const FeatureProfileJob& job, gpu::Dra
     if (job.window.world_depth) source.defines.push_back({"WORLD_WINDOW", ""});
     if (singular) source.defines.push_back({"JUNCTIONS", ""});
     gpu::Program& program = render.shaders->program(source);
-    program.set("area", area_of(job.rect));
+    program.set("area", area_of(job.valid));
     program.set("window", job.window.length);
     program.set("most_singular", job.most_singular);
     program.set("depth", singular ? singular_mark : plain_mark);

@@ -21,7 +21,8 @@ struct FeatureProfileJob {
     std::uint32_t data = 0;       ///< FeatureTextures::data
     std::uint32_t candidates = 0; ///< depth32f of the same size, to work in
     std::uint32_t to = 0;         ///< FeatureTextures::profile
-    gpu::Rect rect;               ///< the part of `data` that holds features, and that is made
+    gpu::Rect valid;              ///< the part of `data` that holds features
+    gpu::Rect rect;               ///< the part of `to` that is made; within `valid`
 
     void run(RenderContext& render) const;
 };

@@ -139,6 +139,7 @@ public:
                           .data = data_,
                           .candidates = candidates_,
                           .to = profile_,
+                          .valid = rect_,
                           .rect = rect_}
             .run(render_);
     }
