@@ -34,7 +34,7 @@ struct FeatureTextures {
 };
 
 /// The FeatureImage on the camera's entity, or the default one, with `custom`'s fields set to those of its quality.
-[[nodiscard]] FeatureImage feature_image(World& world);
+[[nodiscard]] FeatureImage feature_image(const World& world);
 
 /// Asks the frame for the textures that these features are found in; call it in stage `material`.
 void request_feature_sources(World& world, std::span<const FeatureRequest> requests);
