@@ -81,8 +81,8 @@ enum class BrushMethod { automatic, splat, gather, tiles };
 ///
 /// It paints on the surface or picture of its own entity; on an entity that has neither, on those of its parent and all
 /// below that; on a camera, or on an entity at the root of the scene, on everything in the view. So a character, or a
-/// view, can have any number of brushes: one entity each. Brushes that are alike in everything are painted as one. Brushes of the same feature, settings of `diffusion`,
-/// `window` and `source` share its extraction.
+/// view, can have any number of brushes: one entity each. Brushes that are alike in everything are painted as one.
+/// Brushes of the same feature, settings of `diffusion`, `window` and `source` share its extraction.
 struct ImplicitBrush {
     BrushFeature feature = BrushFeature::contours;
     std::int32_t order = 0;

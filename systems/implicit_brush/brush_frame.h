@@ -28,13 +28,13 @@ struct BrushDraw {
 
 /// What this frame paints with brushes. A resource.
 struct BrushFrame {
-    FeatureImage quality;               ///< resolved
+    FeatureImage quality;                 ///< as the camera has it
     std::vector<FeatureRequest> features; ///< each key once
-    std::vector<BrushNoiseKey> noises;  ///< each once
-    std::vector<BrushDraw> draws;       ///< in the order in which they are painted
-    std::vector<std::uint32_t> owners;  ///< by object id, `owner_words` each: bit i for `draws[i]`
-    std::size_t owner_words = 1;        ///< of an object id
-    gpu::Rect rect;                     ///< around all ink
+    std::vector<BrushNoiseKey> noises;    ///< each once
+    std::vector<BrushDraw> draws;         ///< in the order in which they are painted
+    std::vector<std::uint32_t> owners;    ///< by object id, `owner_words` each: bit i for `draws[i]`
+    std::size_t owner_words = 1;          ///< of an object id
+    gpu::Rect rect;                       ///< around all ink
 
     [[nodiscard]] bool owns(std::size_t draw, std::uint32_t object_id) const {
         const std::size_t at = object_id * owner_words + draw / 32;

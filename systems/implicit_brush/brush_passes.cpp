@@ -4,8 +4,9 @@
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/implicit_brush/brush_frame.h>
-#include <hachure/systems/implicit_brush/brush_maps.h>
 #include <hachure/systems/implicit_brush/brush_passes.h>
+#include <hachure/systems/implicit_brush/feature_aovs.h>
+#include <hachure/systems/implicit_brush/weight_map.h>
 
 #include <fmt/format.h>
 
@@ -47,8 +48,8 @@ std::uint64_t paint_key(const BrushDraw& draw) {
 bool same_place(const ImplicitBrush& brush) {
     const bool turned = brush.turn != BrushTurn::fixed || brush.turn_noise > 0.0f;
     const bool moved = brush.shift_along != 0.0f || brush.shift_across != 0.0f || brush.wobble > 0.0f;
-    const bool sized = brush.size_by != BrushDriver::constant || brush.size_noise > 0.0f ||
-                       brush.unit == BrushUnit::world;
+    const bool sized =
+        brush.size_by != BrushDriver::constant || brush.size_noise > 0.0f || brush.unit == BrushUnit::world;
     return !turned && !moved && !sized;
 }
 
@@ -57,21 +58,20 @@ ConvolveJob convolve_job(const BrushDraw& draw, const FeatureImage& quality, con
     const ImplicitBrush& brush = draw.brush;
     const float shift = std::abs(brush.shift_along) + std::abs(brush.shift_across) + 1.42f * brush.wobble;
     // Halves do for heights, but sums of many stamps round by a hundredth.
-    const bool halves = quality.storage == FeatureStorage::rgba16f && quality.quality != FeatureQuality::standard;
-    ConvolveJob job{.method = brush.method,
-                    .stamps = draw.rect,
-                    .footprint = {.tip = brush.tip,
-                                  .aspect = brush.aspect,
-                                  .bitmap_mean = bitmap ? bitmap->mean : 0.0f},
-                    .bitmap = bitmap,
-                    .radius = draw.radius,
-                    .largest_radius = draw.radius,
-                    .largest_shift = shift * draw.radius,
-                    .peak = brush.peak,
-                    .contrast = brush.contrast,
-                    .opacity = brush.opacity,
-                    .canvas = {.amount = brush.canvas},
-                    .sums = halves ? gpu::Format::rgba16f : gpu::Format::rgba32f};
+    const bool halves = quality.quality == FeatureQuality::fast;
+    ConvolveJob job{
+        .method = brush.method,
+        .stamps = draw.rect,
+        .footprint = {.tip = brush.tip, .aspect = brush.aspect, .bitmap_mean = bitmap ? bitmap->mean : 0.0f},
+        .bitmap = bitmap,
+        .radius = draw.radius,
+        .largest_radius = draw.radius,
+        .largest_shift = shift * draw.radius,
+        .peak = brush.peak,
+        .contrast = brush.contrast,
+        .opacity = brush.opacity,
+        .canvas = {.amount = brush.canvas},
+        .sums = halves ? gpu::Format::rgba16f : gpu::Format::rgba32f};
     if (same_place(brush)) job.same_place = glm::vec4(0.0f, 0.0f, draw.radius, brush.angle);
     if (brush.coloring == BrushColor::constant && brush.color_noise <= 0.0f) job.same_color = brush.color;
     return job;
@@ -103,7 +103,7 @@ void BrushPasses::declare(World& world) {
         declare_ink(world, i, stamps, noise);
         inks.push_back({stamps.ink, draw.rect});
     }
-    declare_feature_maps(world, features[frame.draws.empty() ? 0 : frame.draws.front().feature]);
+    declare_feature_aovs(world, features[frame.draws.empty() ? 0 : frame.draws.front().feature], frame.rect);
     declare_weight_map(world, inks);
 }
 
@@ -124,7 +124,8 @@ BrushPasses::Stamps BrushPasses::declare_stamps(World& world, std::size_t index,
             if (!draw.everywhere) data.object_id = pass.read(graph.find("object_id"));
             if (draw.brush.coloring == BrushColor::surface) data.color = pass.read(graph.find("color"));
             if (noise) data.noise = pass.read(noise);
-            data.place = pass.create(fmt::format("brush_place_{}", index), {view.width, view.height, gpu::Format::rgba16f});
+            data.place =
+                pass.create(fmt::format("brush_place_{}", index), {view.width, view.height, gpu::Format::rgba16f});
             data.ink = pass.create(fmt::format("brush_ink_{}", index), {view.width, view.height, gpu::Format::rgba16f});
             pass.depends_on(view.key(), style_key(draw.style), owners_key(frame, index), render.shaders->generation());
             depend_on_rect(pass, draw.rect);
@@ -172,8 +173,8 @@ void BrushPasses::declare_ink(World& world, std::size_t index, const Stamps& sta
                 data.scratch.push_back(pass.create(fmt::format("brush_sum_{}_{}", index, i), descs[i]));
             const TextureHandle below = graph.find("line_layer");
             data.clear = !below;
-            data.layer = below ? pass.write(below)
-                               : pass.create("line_layer", {view.width, view.height, gpu::Format::rgba16f});
+            data.layer =
+                below ? pass.write(below) : pass.create("line_layer", {view.width, view.height, gpu::Format::rgba16f});
             graph.publish("line_layer", data.layer);
             pass.depends_on(paint_key(draw), cleared.x, cleared.y, cleared.width, cleared.height,
                             render.shaders->generation());

@@ -11,8 +11,8 @@
 
 namespace hachure {
 
-/// What the shader that makes stamps knows of a brush; as BrushStyle of shaders/implicit_brush/brush_style.glsl. Lengths
-/// are in pixels, or in metres where `scale.y` is 1.
+/// What the shader that makes stamps knows of a brush; as BrushStyle of shaders/implicit_brush/brush_style.glsl.
+/// Lengths are in pixels, or in metres where `scale.y` is 1.
 struct BrushStyle {
     glm::vec4 peak{0.0f};       ///< at the lower limit, at the upper limit; the limits
     glm::vec4 spread{0.0f};     ///< likewise
@@ -30,8 +30,8 @@ struct BrushStyle {
 
 /// Stamps are at most this large, px.
 inline constexpr float largest_stamp = 64.0f;
-/// Weights fall off at least this wide, px of standard deviation: sums over pixels of a narrower Gaussian would depend on
-/// where between them the line lies (by 1.4 % here).
+/// Weights fall off at least this wide, px of standard deviation: sums over pixels of a narrower Gaussian would depend
+/// on where between them the line lies (by 1.4 % here).
 inline constexpr float least_spread = 0.5f;
 
 [[nodiscard]] BrushStyle brush_style(const ImplicitBrush& brush, const View& view);

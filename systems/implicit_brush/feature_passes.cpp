@@ -175,11 +175,11 @@ FeatureImage feature_image(const World& world) {
     return resolved(wanted ? *wanted : FeatureImage{});
 }
 
-void request_feature_sources(World& world, std::span<const FeatureRequest> requests) {
+void request_feature_sources(const DrawList& list, const PictureList& shown, std::span<const FeatureRequest> requests,
+                             FrameRequests& frame) {
     if (requests.empty()) return;
-    const PictureList* list = world.find_resource<PictureList>();
-    const bool pictures = list && !list->items.empty(), surfaces = !world.resource<DrawList>().items.empty();
-    auto& textures = frame_requests(world).textures;
+    const bool pictures = !shown.items.empty(), surfaces = !list.items.empty();
+    auto& textures = frame.textures;
     textures.insert("normal");
     for (const FeatureRequest& request : requests) {
         const bool luminance =

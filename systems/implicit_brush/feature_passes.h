@@ -4,6 +4,9 @@
 #include <hachure/runtime/ecs/world.h>
 #include <hachure/runtime/gpu/frame_graph_handle.h>
 #include <hachure/runtime/gpu/framebuffer.h>
+#include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/frame_requests.h>
+#include <hachure/runtime/scene/picture_list.h>
 #include <hachure/systems/implicit_brush/feature_key.h>
 
 #include <span>
@@ -37,7 +40,8 @@ struct FeatureTextures {
 [[nodiscard]] FeatureImage feature_image(const World& world);
 
 /// Asks the frame for the textures that these features are found in; call it in stage `material`.
-void request_feature_sources(World& world, std::span<const FeatureRequest> requests);
+void request_feature_sources(const DrawList& list, const PictureList& pictures,
+                             std::span<const FeatureRequest> requests, FrameRequests& frame);
 
 /// Declares the passes that find features: slopes, their diffusion, feature data, profiles. Features of the same source
 /// and diffusion share slopes. Call declare() once a frame, in stage `render`, after surfaces and pictures.

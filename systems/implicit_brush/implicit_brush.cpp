@@ -1,7 +1,7 @@
 #include <hachure/runtime/app/app.h>
 #include <hachure/systems/implicit_brush/brush_frame.h>
-#include <hachure/systems/implicit_brush/brush_maps.h>
 #include <hachure/systems/implicit_brush/brush_passes.h>
+#include <hachure/systems/implicit_brush/feature_aovs.h>
 #include <hachure/systems/implicit_brush/implicit_brush.h>
 #include <hachure/systems/implicit_brush/select_brushes.h>
 
@@ -15,7 +15,10 @@ void register_implicit_brush(App& app) {
     app.world().set_resource(BrushFrame{});
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
     if (!app.world().find_resource<PictureList>()) app.world().set_resource(PictureList{});
-    add_brush_maps(frame_requests(app.world()).known);
+    FrameRequests& requests = frame_requests(app.world());
+    know_feature_aovs(requests);
+    requests.known.push_back(
+        {"brush_weight", "how much a pixel counts in the brush that it counts most in, 0 to 1", {"brush_weight"}});
     app.add_system(Stage::material, "implicit_brush.select", select_brushes)
         .after("surface.collect")
         .after("picture.collect")

@@ -1,6 +1,5 @@
 #include <hachure/runtime/scene/view_rects.h>
-#include <hachure/systems/implicit_brush/brush_maps.h>
-#include <hachure/systems/implicit_brush/feature_quality.h>
+#include <hachure/systems/implicit_brush/feature_aovs.h>
 #include <hachure/systems/implicit_brush/select_brushes.h>
 
 #include <algorithm>
@@ -158,9 +157,8 @@ private:
                 const std::size_t id = canvases_.items.at(entity).object_id;
                 frame_.owners[id * frame_.owner_words + draw / 32] |= 1u << (draw % 32);
             }
-            frame_.draws[draw].everywhere = std::ranges::all_of(canvases_.items, [&](const auto& entry) {
-                return frame_.owns(draw, entry.second.object_id);
-            });
+            frame_.draws[draw].everywhere = std::ranges::all_of(
+                canvases_.items, [&](const auto& entry) { return frame_.owns(draw, entry.second.object_id); });
         }
     }
 
@@ -187,7 +185,7 @@ private:
 
 /// Maps that someone asks for cover the view, and are those of occluding contours where no brush paints.
 void add_requested(const View& view, const FrameRequests& requests, BrushFrame& frame) {
-    if (!wants_feature_maps(requests)) return;
+    if (!wants_feature_aovs(requests)) return;
     if (frame.features.empty()) {
         frame.features.push_back({feature_key(ImplicitBrush{}, view)});
     }
@@ -196,26 +194,17 @@ void add_requested(const View& view, const FrameRequests& requests, BrushFrame& 
     frame.rect = {0, 0, view.width, view.height};
 }
 
-void request_textures(const DrawList& list, const PictureList& pictures, const BrushFrame& frame,
-                      FrameRequests& requests) {
-    const auto want = [&](const char* name) { requests.textures.insert(name); };
-    if (frame.features.empty()) return;
-    // The breaks of depth that stop diffusion are told from steep slopes by their normals.
-    if (!list.items.empty()) want("normal");
-    if (!pictures.items.empty()) want("picture_tone");
-    if (std::ranges::any_of(frame.draws, [](const BrushDraw& draw) { return !draw.everywhere; })) want("object_id");
-}
-
 } // namespace
 
 void select_brushes(PlacedBrushes brushes, Query<const Children> branches, Query<With<Camera>> cameras,
                     Query<const FeatureImage> qualities, const DrawList& list, const PictureList& pictures,
                     const View& view, FrameRequests& requests, BrushFrame& frame, LineLayer& layer) {
     const auto quality = qualities.find(view.camera);
-    frame = {.quality = resolved(quality ? std::get<const FeatureImage&>(*quality) : FeatureImage{})};
+    frame = {.quality = quality ? std::get<const FeatureImage&>(*quality) : FeatureImage{}};
     BrushSelection(branches, canvases_of(list, pictures, view), view, frame).run(painters_of(brushes, cameras, view));
     add_requested(view, requests, frame);
-    request_textures(list, pictures, frame, requests);
+    request_feature_sources(list, pictures, frame.features, requests);
+    if (!std::ranges::all_of(frame.draws, &BrushDraw::everywhere)) requests.textures.insert("object_id");
     layer.set("implicit_brush", frame.draws.empty() ? gpu::Rect{} : frame.rect);
 }
 
