@@ -26,13 +26,13 @@ uint before(uint mine, out uint total) {
     barrier();
     sums[thread] = mine;
     barrier();
-    for (uint step_ = 1u; step_ < GROUP; step_ *= 2u) {
+    for (uint step_ = 1u; step_ < uint(GROUP); step_ *= 2u) {
         uint left = thread >= step_ ? sums[thread - step_] : 0u;
         barrier();
         sums[thread] += left;
         barrier();
     }
-    total = sums[GROUP - 1u];
+    total = sums[GROUP - 1];
     return sums[thread] - mine;
 }
 
@@ -99,7 +99,7 @@ void main() {
     plan.gather_tiles = triangles(reached_tiles, method == 2u);
     plan.marked_tiles = triangles(reached_tiles, method == 3u);
     uint texels = method == 1u && stamps > 0u ? uint(mark_area.z * mark_area.w) : 0u;
-    plan.list_groups = uvec3((texels + LIST_GROUP - 1u) / LIST_GROUP, 1u, 1u);
+    plan.list_groups = uvec3((texels + uint(LIST_GROUP) - 1u) / uint(LIST_GROUP), 1u, 1u);
     plan.method = method;
     plan.stamp_count = stamps;
     plan.tile_count = reached_tiles;

@@ -160,7 +160,7 @@ void StampConvolver::plan(const Run& run) {
     const gpu::Rect area = mark_area(run.job.stamps);
     gpu::Program& program = run.render.shaders->program(
         {.compute = "implicit_brush/plan.comp",
-         .defines = {{"GROUP", std::to_string(plan_group) + "u"}, {"LIST_GROUP", std::to_string(list_group) + "u"}}});
+         .defines = {{"GROUP", std::to_string(plan_group)}, {"LIST_GROUP", std::to_string(list_group)}}});
     program.set("mark_area", glm::ivec4(area.x, area.y, area.width, area.height));
     program.set("forced", static_cast<int>(run.job.method));
     if (run.job.method == BrushMethod::automatic) {
