@@ -125,7 +125,7 @@ struct ImplicitBrush {
     glm::vec3 color{0.0f};
     glm::vec3 weak_color{0.5f};
     float opacity = 1.0f;
-    float contrast = 8.0f;
+    float contrast = 40.0f;
 
     // What is not of the feature (noise).
     float canvas = 0.0f;
