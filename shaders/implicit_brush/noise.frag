@@ -13,6 +13,10 @@ const float cells_per_grain = 1.6;
 layout(binding = 0) uniform sampler2D places;   // place on the surface at rest, its own radius the unit; radii per pixel
 layout(binding = 1) uniform usampler2D objects; // seed of the object, metres in a radius (a float's bits)
 #endif
+#if GRAIN == ADVECTED
+layout(binding = 2) uniform sampler2D past_0; // place on the screen when noise was made, how much farther, weight
+layout(binding = 3) uniform sampler2D past_1;
+#endif
 
 uniform float size;            // of a grain: pixels, or with WORLD_SIZE metres
 uniform float reference_pixel; // radii per pixel where an object fills the picture's height
@@ -59,10 +63,30 @@ vec4 solid_field(ivec2 pixel) {
 }
 #endif
 
+#if GRAIN == ADVECTED
+vec4 past_field(vec4 past, float grain, uint phase) {
+    // Grains keep their size while what they are on comes and goes: those made far off are made finer.
+    return past.w * normal_field(past.xy, cells(grain) + flatness * past.z, seed + phase);
+}
+
+vec4 advected_field(ivec2 pixel) {
+    vec4 past[2] = vec4[2](texelFetch(past_0, pixel, 0), texelFetch(past_1, pixel, 0));
+    float power = past[0].w * past[0].w + past[1].w * past[1].w;
+    if (power <= 0.0) return screen_field(pixel);
+    float grain = max(screen_size(pixel), 1.0);
+    vec4 sum = vec4(0.0);
+    if (past[0].w > 0.0) sum += past_field(past[0], grain, 0x9e3779b9u);
+    if (past[1].w > 0.0) sum += past_field(past[1], grain, 0x3c6ef372u);
+    return sum * inversesqrt(power);
+}
+#endif
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
 #if GRAIN == SOLID
     noise = evened(solid_field(pixel));
+#elif GRAIN == ADVECTED
+    noise = evened(advected_field(pixel));
 #else
     noise = evened(screen_field(pixel));
 #endif

@@ -4,8 +4,10 @@
 #include <hachure/runtime/gpu/frame_graph.h>
 #include <hachure/runtime/gpu/framebuffer.h>
 #include <hachure/systems/implicit_brush/brush_noise_key.h>
+#include <hachure/systems/implicit_brush/noise_phases.h>
 #include <hachure/systems/implicit_brush/surface_places.h>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -24,11 +26,16 @@ private:
         gpu::TextureHandle places, objects;
     };
 
+    using Pasts = std::array<gpu::TextureHandle, 2>;
+
     Places declare_places(World& world, const gpu::Rect& rect);
+    Pasts declare_pasts(World& world, std::size_t index, const gpu::Rect& rect);
+    std::vector<Pasts> declare_all_pasts(World& world, std::span<const BrushNoiseKey> keys, const gpu::Rect& rect);
     static gpu::TextureHandle declare_noise(World& world, const BrushNoiseKey& key, std::size_t index,
-                                            const Places& places, const gpu::Rect& rect);
+                                            const Places& places, const Pasts& pasts, const gpu::Rect& rect);
 
     SurfacePlaces places_;
+    std::vector<NoisePhases> phases_; ///< one for each lifetime that some noise has
 };
 
 } // namespace hachure

@@ -34,6 +34,8 @@ void BrushNoiseJob::run(RenderContext& render) const {
         render.backend->texture(places).bind(0);
         render.backend->texture(objects).bind(1);
     }
+    if (key.grain == BrushGrain::advected)
+        for (GLuint k = 0; k < 2; ++k) render.backend->texture(pasts[k]).bind(2 + k);
     program.use();
     render.full_screen.draw();
 }
