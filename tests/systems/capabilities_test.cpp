@@ -108,7 +108,7 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_THAT(names_in(app, Stage::render),
                 ElementsAre("deform.pass", "surface.passes", "picture.pass", "gooch.pass", "metal.pass", "toon.pass",
                             "edge_lines.pass", "abstracted_lines.pass", "velocity.pass", "implicit_brush.pass",
-                            "paper.pass", "compose.passes"));
+                            "compose.blank", "paper.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest
