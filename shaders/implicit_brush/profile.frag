@@ -29,13 +29,18 @@ Cubic fit_at(vec2 middle, vec2 way) {
     return p;
 }
 
-// How far a pixel can look along a direction on both sides until it has met too much of singularities, px.
-float clear_way(vec2 theta, float width) {
-    float steps = ceil(width / 1.5), spacing = width / steps, here = singularity_at(vec2(0.0));
-    float before = 0.5 * spacing * here, after = before;
+// Singularities of theta alone stay below this, contours are above.
+const float contour_singularity = 0.8;
+
+// How far a pixel can look along a direction on both sides until it has met too much of singularities, px. What they
+// exceed `least` by counts.
+float clear_way(vec2 theta, float width, float least) {
+    float steps = ceil(width / 1.5), spacing = width / steps;
+    float before = 0.5 * spacing * max(singularity_at(vec2(0.0)) - least, 0.0), after = before;
+    if (before > most_singular) return 0.0;
     for (float i = 1.0; i <= steps; i += 1.0) {
-        float more_before = spacing * singularity_at(-i * spacing * theta);
-        float more_after = spacing * singularity_at(i * spacing * theta);
+        float more_before = spacing * max(singularity_at(-i * spacing * theta) - least, 0.0);
+        float more_after = spacing * max(singularity_at(i * spacing * theta) - least, 0.0);
         float most = max(before + more_before, after + more_after);
         if (most > most_singular) {
             float gained = before + more_before > after + more_after ? more_before : more_after;
@@ -46,9 +51,10 @@ float clear_way(vec2 theta, float width) {
     return width;
 }
 
-const float least_way = 1.0;      // px: less shows no maximum
-const float well_explained = 0.6; // of the variance: what a cubic makes of more than one line is worse
+const float least_way = 1.5;      // px: less shows no maximum
+const float well_explained = 0.7; // of the variance: what a cubic makes of more than one line is worse
 const int HALVINGS = 2;
+const float junction_window = 4.0; // px: farther away lines are found by who is beside one alone
 
 // `width`: the window; `way`: what of it can be looked along `theta`.
 Profile follow(vec2 theta, float width, float way) {
@@ -76,11 +82,41 @@ Profile follow(vec2 theta, float width, float way) {
     return Profile(true, middle + found.x * span * theta, value(fit, found.x), curvature);
 }
 
+bool is_line(Profile p, float width) {
+    return p.found && p.height > 0.0 && p.height < 6e4 && dot(p.offset, p.offset) <= 1.44 * width * width;
+}
+
+#ifdef JUNCTIONS
+// Where lines meet, theta is that of neither, and singular: a way along it ends at once. Lines are there all the same, as
+// h shows to who looks across them. Of all directions the one counts that a line is nearest in. Only contours end a way
+// then.
+// Beside a contour a direction is as good as cut off: what looks like a line along it is the contour's.
+Profile look_around(float width) {
+    Profile nearest = nothing;
+    float least = width;
+    for (int i = 0; i < 4; ++i) {
+        float angle = 0.7853981634 * float(i);
+        vec2 direction = vec2(cos(angle), sin(angle));
+        float way = clear_way(direction, width, contour_singularity);
+        Profile p = follow(direction, width, way);
+        least = min(least, way);
+        if (is_line(p, width) && dot(p.offset, p.offset) < dot(nearest.offset, nearest.offset)) nearest = p;
+    }
+    if (least < width) return nothing;
+    return nearest;
+}
+#endif
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float width = window_at(pixel);
-    vec2 theta = direction_of(texelFetch(features, pixel, 0).gb);
-    Profile p = follow(theta, width, theta == vec2(0.0) ? 0.0 : clear_way(theta, width));
-    bool valid = p.found && p.height > 0.0 && p.height < 6e4 && dot(p.offset, p.offset) <= 1.44 * width * width;
-    out_profile = valid ? vec4(p.offset, p.height, min(p.curvature, 6e4)) : vec4(1e4, 1e4, 0.0, 0.0);
+    vec4 here = texelFetch(features, pixel, 0);
+    vec2 theta = direction_of(here.gb);
+    Profile p = nothing;
+    if (theta != vec2(0.0)) p = follow(theta, width, clear_way(theta, width, 0.0));
+#ifdef JUNCTIONS
+    if (!is_line(p, width)) p = look_around(min(width, junction_window));
+#endif
+    out_profile =
+        is_line(p, width) ? vec4(p.offset, p.height, min(p.curvature, 6e4)) : vec4(1e4, 1e4, 0.0, 0.0);
 }
