@@ -9,6 +9,10 @@ uniform ivec2 first; // pixels that may stamp
 uniform ivec2 last;
 uniform int reach; // px
 
+#ifndef BLOCK
+#define BLOCK 8
+#endif
+
 layout(location = 0) out vec4 out_color;
 
 void add(inout SUM sum, ivec2 pixel, ivec2 here) {
@@ -23,14 +27,14 @@ void add(inout SUM sum, ivec2 pixel, ivec2 here) {
     sum += stamped(make_stamp(place, ink), pixel, here);
 }
 
-void main() {
-    ivec2 here = ivec2(gl_FragCoord.xy);
+// Marks near the pixel's block, the same for all of its pixels: so those that run together take the same way.
+SUM add_marked(ivec2 here) {
     SUM sum = SUM(0.0);
-    for (int y = max(here.y - reach, first.y); y <= min(here.y + reach, last.y); ++y) {
-        int down = y - here.y;
-        int chord = int(sqrt(float(reach * reach - down * down)));
-        int from = max(here.x - chord, first.x), to = min(here.x + chord, last.x);
-#ifdef MARKED
+    ivec2 low = here & ~(BLOCK - 1), high = low + BLOCK - 1;
+    for (int y = max(low.y - reach, first.y); y <= min(high.y + reach, last.y); ++y) {
+        int away = max(max(low.y - y, y - high.y), 0);
+        int chord = int(sqrt(float(reach * reach - away * away)));
+        int from = max(low.x - chord, first.x), to = min(high.x + chord, last.x);
         for (int column = from >> 5; column <= to >> 5; ++column) {
             uint bits = marks_within(column, y, from, to);
             while (bits != 0u) {
@@ -38,9 +42,27 @@ void main() {
                 bits &= bits - 1u;
             }
         }
-#else
-        for (int x = from; x <= to; ++x) add(sum, ivec2(x, y), here);
-#endif
     }
+    return sum;
+}
+
+SUM add_all(ivec2 here) {
+    SUM sum = SUM(0.0);
+    for (int y = max(here.y - reach, first.y); y <= min(here.y + reach, last.y); ++y) {
+        int away = y - here.y;
+        int chord = int(sqrt(float(reach * reach - away * away)));
+        int from = max(here.x - chord, first.x), to = min(here.x + chord, last.x);
+        for (int x = from; x <= to; ++x) add(sum, ivec2(x, y), here);
+    }
+    return sum;
+}
+
+void main() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+#ifdef MARKED
+    SUM sum = add_marked(here);
+#else
+    SUM sum = add_all(here);
+#endif
     out_color = toned(sum, here);
 }

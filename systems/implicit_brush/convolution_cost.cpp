@@ -6,7 +6,7 @@
 
 namespace hachure {
 
-void ConvolutionCost::set(gpu::Program& plan, const ConvolveJob& job) const {
+void ConvolutionCost::set(gpu::Program& plan, const ConvolveJob& job, int picture_width, int picture_height) const {
     constexpr double tile_pixels = convolution_tile * convolution_tile;
     const double reach = job.reach(), rows = 2.0 * reach + 1.0;
     const double looked_at = std::numbers::pi * reach * reach;
@@ -22,6 +22,11 @@ void ConvolutionCost::set(gpu::Program& plan, const ConvolveJob& job) const {
     set("gather_pair", gather_stamp * additions);
     set("marked_tile", marked_look * tile_pixels * mark_looks);
     set("marked_pair", marked_stamp * additions);
+    const gpu::Rect area = job.painted(picture_width, picture_height);
+    const double channels = job.sums_opacity() ? 1.0 : 4.0,
+                 rim = 3.5 * std::numbers::pi * double(job.radius) + 2.0 * rows;
+    set("sum_all", job.may_use(BrushMethod::sums) ? channels * running_sum * area.width * area.height : -1.0);
+    set("sum_stamp", channels * edge * rim);
 }
 
 } // namespace hachure
