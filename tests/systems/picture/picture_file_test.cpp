@@ -1,6 +1,7 @@
 #include <hachure/runtime/error.h>
 #include <hachure/systems/picture/picture_file.h>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <limits>
@@ -55,7 +56,7 @@ TEST(PictureFile, AVideosFrameFollowsFromTheTime) {
 TEST(PictureFile, ANumberedImageFollowsFromTheTime) {
     const TempFolder folder;
     for (const int number : {10, 11, 14})
-        assets::write_png(folder / ("i" + std::to_string(number) + ".png"), noise(5, 3, 3));
+        assets::write_png(folder / fmt::format("i{}.png", number), noise(5, 3, 3));
     PictureFile file((folder / "i#.png").string());
     EXPECT_EQ(file.width(), 5);
     const int shown[] = {0, 1, 1, 1, 4};
