@@ -87,8 +87,8 @@ enum class BrushMethod {
 ///
 /// It paints on the surface or picture of its own entity; on an entity that has neither, on those of its parent and all
 /// below that; on a camera, or on an entity at the root of the scene, on everything in the view. So a character, or a
-/// view, can have any number of brushes: one entity each. Brushes of the same feature, settings of `diffusion`,
-/// `window` and `source` share its extraction.
+/// view, can have any number of brushes: one entity each. Brushes that are alike in everything are painted as one.
+/// Brushes of the same feature, settings of `diffusion`, `window` and `source` share its extraction.
 struct ImplicitBrush {
     BrushFeature feature = BrushFeature::contours;
     std::int32_t order = 0;
@@ -131,7 +131,7 @@ struct ImplicitBrush {
     glm::vec3 color{0.0f};
     glm::vec3 weak_color{0.5f};
     float opacity = 1.0f;
-    float contrast = 8.0f;
+    float contrast = 40.0f;
 
     // What is not of the feature (noise).
     float canvas = 0.0f;
