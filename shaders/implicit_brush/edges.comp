@@ -35,31 +35,31 @@ float half_chord(float radius2, float height) {
     return left > 0.0 ? sqrt(left) : -1.0;
 }
 
-// Pixels `from` to `to` of a row; `before` is what the pixel left of them has. Returns what the last one has.
-WHOLE add_rim(int from, int to, int y, Stamp stamp, vec2 middle, SUM ink, WHOLE before) {
-    for (int x = max(from, painted.x); x <= min(to, painted.z); ++x) {
-        WHOLE here = WHOLE(round(ink * round_disk(vec2(x, y) - middle, stamp.radius)));
-        add(x, y, here - before);
+// Pixels `from` to `to` of a row, counted from the stamp's pixel; `before` is what the pixel left of them has. Returns
+// what the last one has.
+WHOLE add_rim(int from, int to, int row, ivec2 pixel, Stamp stamp, WHOLE before) {
+    for (int x = max(from, painted.x - pixel.x); x <= min(to, painted.z - pixel.x); ++x) {
+        WHOLE here = WHOLE(round(stamp.ink * round_disk(vec2(x, row) - stamp.shift, stamp.radius)));
+        add(pixel.x + x, pixel.y + row, here - before);
         before = here;
     }
     return before;
 }
 
-void add_row(int y, Stamp stamp, vec2 middle, SUM ink) {
+void add_row(int row, ivec2 pixel, Stamp stamp) {
     // round_disk() looks at places a quarter pixel around; it is constant up to `inner` and nothing from `outer` on.
-    float drawn = max(stamp.radius, 1.0), height = abs(float(y) - middle.y);
+    float drawn = max(stamp.radius, 1.0), height = abs(float(row) - stamp.shift.y);
     float outer = half_chord(drawn * drawn + drawn, max(height - 0.25, 0.0)) + 0.25;
     float inner = half_chord(drawn * drawn - drawn, height + 0.25) - 0.25;
-    int left = int(ceil(middle.x - outer)), right = int(floor(middle.x + outer));
+    int left = int(ceil(stamp.shift.x - outer)), right = int(floor(stamp.shift.x + outer));
     WHOLE before = WHOLE(0);
     if (inner > 1.0) {
-        before = add_rim(left, int(ceil(middle.x - inner)), y, stamp, middle, ink, before);
-        left = int(floor(middle.x + inner));
-        if (left < painted.x) before = WHOLE(0);
+        before = add_rim(left, int(ceil(stamp.shift.x - inner)), row, pixel, stamp, before);
+        left = int(floor(stamp.shift.x + inner));
     }
-    before = add_rim(left, right, y, stamp, middle, ink, before);
-    int end = max(right + 1, painted.x);
-    if (end <= painted.z) add(end, y, -before);
+    before = add_rim(left, right, row, pixel, stamp, before);
+    int end = pixel.x + right + 1;
+    if (end >= painted.x && end <= painted.z) add(end, pixel.y + row, -before);
 }
 
 void main() {
@@ -70,8 +70,9 @@ void main() {
     ivec2 pixel = ivec2(packed_ & 0xffffu, packed_ >> 16);
     vec4 weighted = texelFetch(stamp_inks, pixel, 0);
     Stamp stamp = make_stamp(place_of(pixel), vec4(clamp(weighted.rgb, -16.0, 16.0), weighted.a));
-    vec2 middle = vec2(pixel) + stamp.shift;
+    stamp.ink *= fixed_point;
     float far = max(stamp.radius, 1.0) + 1.0;
-    int low = max(int(ceil(middle.y - far)), painted.y), high = min(int(floor(middle.y + far)), painted.w);
-    for (int y = low; y <= high; ++y) add_row(y, stamp, middle, stamp.ink * fixed_point);
+    int low = max(int(ceil(stamp.shift.y - far)), painted.y - pixel.y);
+    int high = min(int(floor(stamp.shift.y + far)), painted.w - pixel.y);
+    for (int row = low; row <= high; ++row) add_row(row, pixel, stamp);
 }

@@ -1,6 +1,7 @@
 #version 450 core
 // Adds up what reaches a pixel, row by row from the bottom, in a row from the left: as splats are drawn.
-// Define: MARKED to go from mark to mark; else every pixel in reach is looked at.
+// Defines: MARKED to go from mark to mark, else every pixel in reach is looked at; BLOCK, the side of the blocks of pixels
+// that then look at the same ones.
 #include "implicit_brush/stamp.glsl"
 #include "implicit_brush/tone.glsl"
 #include "implicit_brush/marks.glsl"
@@ -8,10 +9,6 @@
 uniform ivec2 first; // pixels that may stamp
 uniform ivec2 last;
 uniform int reach; // px
-
-#ifndef BLOCK
-#define BLOCK 8
-#endif
 
 layout(location = 0) out vec4 out_color;
 
@@ -27,6 +24,7 @@ void add(inout SUM sum, ivec2 pixel, ivec2 here) {
     sum += stamped(make_stamp(place, ink), pixel, here);
 }
 
+#ifdef MARKED
 // Marks near the pixel's block, the same for all of its pixels: so those that run together take the same way.
 SUM add_marked(ivec2 here) {
     SUM sum = SUM(0.0);
@@ -46,6 +44,7 @@ SUM add_marked(ivec2 here) {
     return sum;
 }
 
+#else
 SUM add_all(ivec2 here) {
     SUM sum = SUM(0.0);
     for (int y = max(here.y - reach, first.y); y <= min(here.y + reach, last.y); ++y) {
@@ -56,6 +55,8 @@ SUM add_all(ivec2 here) {
     }
     return sum;
 }
+
+#endif
 
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);

@@ -8,6 +8,9 @@ namespace hachure {
 /// The side of a tile, px.
 inline constexpr int convolution_tile = 16;
 
+/// The side of a block of pixels that look at the same stamps (BrushMethod::tiles), px.
+inline constexpr int gather_block = 8;
+
 /// The tiles that so many pixels take.
 [[nodiscard]] constexpr int tiles_of(int pixels) { return (pixels + convolution_tile - 1) / convolution_tile; }
 

@@ -290,7 +290,7 @@ void StampConvolver::clear_sums(const Run& run, const gpu::Rect& texels) const {
 /// Ink in one step: each pixel adds up what reaches it.
 void StampConvolver::gather(const Run& run, bool marked) const {
     gpu::ProgramSource source{.vertex = "implicit_brush/tile.vert", .fragment = "implicit_brush/gather.frag"};
-    if (marked) source.defines.push_back({"MARKED", ""});
+    if (marked) source.defines = {{"MARKED", ""}, {"BLOCK", std::to_string(gather_block)}};
     gpu::Program& program = run.toning(std::move(source));
     run.texture(run.marks).bind(marks_unit);
     run.draw_into(run.job.target, gpu::Blend::premultiplied);
