@@ -374,6 +374,36 @@ TEST_P(ConvolutionTest, HalfFloatsAreNotEnoughForSums) {
     EXPECT_LT(error, 0.02);
 }
 
+/// The choice is the cheapest by the prices, of what the GPU counted; sparse stamps are not gathered.
+TEST_P(ConvolutionTest, AutomaticIsTheCheapestMethod) {
+    RenderContext render(context());
+    for (const double radius : {1.0, 12.0})
+        for (const bool one_color : {false, true}) {
+            ConvolutionRun run(render, 128, 96);
+            run.job.radius = run.job.largest_radius = static_cast<float>(radius);
+            if (one_color) run.job.same_color = glm::vec3(0.0f);
+            run.upload(test::crossed_ring(128, 96, 1.0, radius));
+            run.run();
+            const ConvolutionCounts counts = run.convolver.counts();
+            const ConvolutionPrices prices = context_cost(render).prices(run.job, 128, 96);
+            for (const BrushMethod method : methods)
+                EXPECT_LE(prices.of(counts.method, counts), 1.001 * prices.of(method, counts)) << name_of(method);
+            EXPECT_NE(counts.method, BrushMethod::gather);
+        }
+}
+
+TEST_P(ConvolutionTest, CostsCanBeMeasured) {
+    RenderContext render(context());
+    const ConvolutionCost cost = measured_cost(render), given;
+    for (const auto& [made, known] : {std::pair{cost.splat_pixel, given.splat_pixel},
+                                      {cost.edge, given.edge},
+                                      {cost.gather_look, given.gather_look},
+                                      {cost.marked_look, given.marked_look}}) {
+        EXPECT_GT(made, 0.001 * known);
+        EXPECT_LT(made, 1000.0 * known);
+    }
+}
+
 HACHURE_INSTANTIATE_GL_TESTS(ConvolutionTest);
 
 } // namespace
