@@ -18,6 +18,9 @@ public:
     /// Says what the passes of this frame may ask for of the item, so that its frame is decoded once for all of them.
     void want(const PictureItem& item, bool color, bool tone);
 
+    /// The same, of the tone besides what was said before.
+    void want_tone(const PictureItem& item) { frames_[item.entity].wants_tone = true; }
+
     /// Linear light, multiplied by alpha. Throws Error for a file that can't be decoded, or is larger than the context
     /// allows.
     const gpu::Texture& color(const gpu::Context& context, PictureFile& file, const PictureItem& item);
