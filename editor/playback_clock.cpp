@@ -1,3 +1,4 @@
+#include <hachure/components/implicit_brush.h>
 #include <hachure/editor/playback_clock.h>
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/ecs/time.h>
@@ -28,6 +29,14 @@ bool carried_as_part(const World& world, std::string_view name) {
     return carried;
 }
 
+/// Noise that motion carries along remembers in which pose it was made.
+bool carries_noise(const World& world) {
+    bool carried = false;
+    world.query<const ImplicitBrush>().each(
+        [&](const ImplicitBrush& brush) { carried = carried || brush.grain == BrushGrain::advected; });
+    return carried;
+}
+
 } // namespace
 
 double seek(const App& app, double seconds) {
@@ -38,9 +47,10 @@ double seek(const App& app, double seconds) {
 }
 
 bool needs_stepping(const App& app) {
-    return std::ranges::any_of(that_build_up, [&](std::string_view name) {
+    const bool builds_up = std::ranges::any_of(that_build_up, [&](std::string_view name) {
         return carried_as_component(app, name) || carried_as_part(app.world(), name);
     });
+    return builds_up || carries_noise(app.world());
 }
 
 } // namespace hachure

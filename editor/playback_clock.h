@@ -9,8 +9,9 @@ namespace hachure {
 /// whichever frames came before it. Returns how long after the last frame that is, for Renderer::render_frame.
 [[nodiscard]] double seek(const App& app, double seconds);
 
-/// Whether what a frame shows depends on the frames before it: state builds up where an entity carries a script or a
-/// timeline. Such inputs are stepped from frame 0 at the frame rate; all else may jump to any moment.
+/// Whether what a frame shows depends on the frames before it: state builds up where an entity carries a script, a
+/// timeline, or a brush whose noise motion carries along. Such inputs are stepped from frame 0 at the frame rate; all
+/// else may jump to any moment.
 [[nodiscard]] bool needs_stepping(const App& app);
 
 } // namespace hachure

@@ -1,6 +1,7 @@
 #include <hachure/components/curvature.h>
 #include <hachure/components/deformed.h>
 #include <hachure/components/edge_lines.h>
+#include <hachure/components/implicit_brush.h>
 #include <hachure/components/metal.h>
 #include <hachure/components/morph_weights.h>
 #include <hachure/components/skin.h>
@@ -73,12 +74,14 @@ public:
 
     void operator()(Bodies bodies, Places places, Query<Deformed> shapes, Removed<Skin> unskinned,
                     Removed<MorphWeights> unmorphed, Removed<EdgeLines> unlined, Removed<Curvature> unbent,
-                    Removed<Metal> unmilled, Removed<Toon> untoned, LastRun last, const MeshStore& store,
-                    const FrameRequests& requests, DeformInputs& inputs, DeformCounts& counts, Commands& commands) {
+                    Removed<Metal> unmilled, Removed<Toon> untoned, Query<const ImplicitBrush> brushes, LastRun last,
+                    const MeshStore& store, const FrameRequests& requests, DeformInputs& inputs, DeformCounts& counts,
+                    Commands& commands) {
         counts = {};
         forget(bodies, unskinned, inputs);
         forget(bodies, unmorphed, inputs);
-        const bool wanted = gpu_ && !requests.wants("velocity"); // which compares positions of two frames
+        // Both compare positions of two frames.
+        const bool wanted = gpu_ && !requests.wants("velocity") && !carry_noise(brushes);
         const bool elsewhere =
             wanted != leave_to_gpu_ || !unlined.empty() || !unbent.empty() || !unmilled.empty() || !untoned.empty();
         leave_to_gpu_ = wanted;
@@ -97,6 +100,13 @@ private:
         return !places.changed_since<WorldTransform>(last.tick).empty() ||
                !bodies.changed_since<Surface, Skin, MorphWeights, Deform, EdgeLines, Curvature>(last.tick).empty() ||
                !bodies.changed_since<Metal, Toon>(last.tick).empty();
+    }
+
+    /// A brush may paint on surfaces of entities other than its own.
+    static bool carry_noise(const Query<const ImplicitBrush>& brushes) {
+        bool found = false;
+        for (auto [entity, brush] : brushes) found = found || (brush.visible && brush.grain == BrushGrain::advected);
+        return found;
     }
 
     template <class C> void forget(const Bodies& bodies, const Removed<C>& removed, DeformInputs& inputs) {

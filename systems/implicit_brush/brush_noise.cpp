@@ -1,4 +1,6 @@
 #include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/mesh_store.h>
+#include <hachure/runtime/scene/picture_list.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/implicit_brush/brush_noise.h>
@@ -9,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace hachure {
 namespace {
@@ -29,14 +30,6 @@ struct NoisePass {
     TextureHandle places, objects, noise;
     std::array<TextureHandle, 2> pasts;
 };
-
-/// Pixels that points move against each other while a surface's noise lives. Noise that is still at rest on the surface
-/// changes by pi / size of itself in each pixel of motion, noise that is renewed by pi / lifetime: 1/6 of that, and
-/// less where it is to keep to the surface more than to the picture's plane.
-float lifetime_of(const BrushNoiseKey& key) {
-    constexpr float nominal_size = 12.0f; // of grains in metres, whose pixels are different everywhere
-    return 6.0f * std::pow(4.0f, 1.0f - key.flatness) * (key.world_size ? nominal_size : std::max(key.size, 1.0f));
-}
 
 bool needs_places(const BrushNoiseKey& key) { return key.grain == BrushGrain::solid || key.world_size; }
 
@@ -59,40 +52,60 @@ std::vector<TextureHandle> BrushNoisePasses::declare(World& world, std::span<con
                                                      const gpu::Rect& rect) {
     Places places;
     if (std::ranges::any_of(keys, needs_places)) places = declare_places(world, rect);
-    const std::vector<Pasts> pasts = declare_all_pasts(world, keys, rect);
+    want_lifetimes(keys);
+    const std::vector<Pasts> pasts = declare_all_pasts(world, rect);
     std::vector<TextureHandle> result;
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        result.push_back(declare_noise(world, keys[i], i, places, pasts[i], rect));
+    for (const BrushNoiseKey& key : keys) {
+        const auto advection = std::ranges::find(advections_, lifetime_of(key), &Advection::lifetime);
+        const bool advected = key.grain == BrushGrain::advected;
+        result.push_back(
+            declare_noise(world, key, result.size(), places,
+                          advected ? pasts[static_cast<std::size_t>(advection - advections_.begin())] : Pasts{}, rect));
+    }
     return result;
 }
 
-std::vector<BrushNoisePasses::Pasts>
-BrushNoisePasses::declare_all_pasts(World& world, std::span<const BrushNoiseKey> keys, const gpu::Rect& rect) {
-    std::vector<float> lifetimes;
-    for (const BrushNoiseKey& key : keys)
-        if (key.grain == BrushGrain::advected) lifetimes.push_back(lifetime_of(key));
-    std::erase_if(phases_,
-                  [&](const NoisePhases& p) { return std::ranges::find(lifetimes, p.lifetime()) == lifetimes.end(); });
-    std::vector<Pasts> by_key(keys.size());
-    std::vector<std::optional<Pasts>> declared(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (keys[i].grain != BrushGrain::advected) continue;
-        const float lifetime = lifetime_of(keys[i]);
-        auto found = std::ranges::find(phases_, lifetime, &NoisePhases::lifetime);
-        if (found == phases_.end()) found = phases_.emplace(phases_.end(), lifetime);
-        const auto index = static_cast<std::size_t>(found - phases_.begin());
-        if (!declared[index]) declared[index] = declare_pasts(world, index, rect);
-        by_key[i] = *declared[index];
+/// Noise that the screen's motion leaves behind changes by pi / size of itself in each pixel of motion, noise that is
+/// renewed by pi / lifetime: by 1/6 of that, and less where it is to keep to what it is painted on more than to the
+/// picture's plane. In a video 64 frames are the same for motion of a pixel a frame and grains of 12.
+BrushNoisePasses::Lifetime BrushNoisePasses::lifetime_of(const BrushNoiseKey& key) {
+    constexpr float nominal_size = 12.0f; // of grains in metres, whose pixels are different everywhere
+    const float longer = std::pow(4.0f, 1.0f - key.flatness);
+    return {6.0f * longer * (key.world_size ? nominal_size : std::max(key.size, 1.0f)),
+            2 * static_cast<int>(std::lround(32.0f * std::sqrt(longer)))};
+}
+
+void BrushNoisePasses::want_lifetimes(std::span<const BrushNoiseKey> keys) {
+    std::vector<Lifetime> wanted;
+    std::vector<int> frames;
+    for (const BrushNoiseKey& key : keys) {
+        if (key.grain != BrushGrain::advected) continue;
+        const Lifetime lifetime = lifetime_of(key);
+        if (std::ranges::find(wanted, lifetime) == wanted.end()) wanted.push_back(lifetime);
+        if (std::ranges::find(frames, lifetime.frames) == frames.end()) frames.push_back(lifetime.frames);
     }
-    return by_key;
+    std::erase_if(advections_,
+                  [&](const Advection& a) { return std::ranges::find(wanted, a.lifetime) == wanted.end(); });
+    for (const Lifetime& lifetime : wanted)
+        if (std::ranges::find(advections_, lifetime, &Advection::lifetime) == advections_.end())
+            advections_.push_back({lifetime, NoisePhases(lifetime.pixels)});
+    pictures_.want(std::move(frames));
+}
+
+std::vector<BrushNoisePasses::Pasts> BrushNoisePasses::declare_all_pasts(World& world, const gpu::Rect& rect) {
+    std::vector<Pasts> result;
+    for (std::size_t i = 0; i < advections_.size(); ++i) result.push_back(declare_pasts(world, i, rect));
+    return result;
 }
 
 BrushNoisePasses::Pasts BrushNoisePasses::declare_pasts(World& world, std::size_t index, const gpu::Rect& rect) {
     RenderContext& render = world.resource_mutable<RenderContext>();
     gpu::FrameGraph& graph = render.graph;
     const View& view = world.resource<View>();
-    NoisePhases& phases = phases_[index];
-    phases.update(world.resource<MeshStore>(), world.resource<DrawList>(), view);
+    NoisePhases& surfaces = advections_[index].surfaces;
+    surfaces.update(world.resource<MeshStore>(), world.resource<DrawList>(), view);
+    const PictureList* pictures = world.find_resource<PictureList>();
+    const Lifetime lifetime = advections_[index].lifetime;
     const PastsPass& pass = graph.add_pass<PastsPass>(
         fmt::format("brush_pasts {}", index),
         [&](gpu::PassBuilder& builder, PastsPass& data) {
@@ -100,14 +113,16 @@ BrushNoisePasses::Pasts BrushNoisePasses::declare_pasts(World& world, std::size_
             for (std::size_t k = 0; k < 2; ++k)
                 data.pasts[k] = builder.create(fmt::format("brush_past {} {}", index, k),
                                                {view.width, view.height, gpu::Format::rgba32f});
-            builder.depends_on(phases.key(), phases.lifetime(), render.shaders->generation());
+            builder.depends_on(surfaces.key(), pictures ? pictures->key : 0, lifetime.pixels, lifetime.frames,
+                               render.shaders->generation());
             depend_on_rect(builder, rect);
         },
-        [this, index, &world, &render, rect](const PastsPass& data, gpu::PassContext& context) {
+        [this, index, lifetime, &world, &render, rect](const PastsPass& data, gpu::PassContext& context) {
             const PhaseTextures textures{context.texture(data.depth_buffer),
                                          {context.texture(data.pasts[0]), context.texture(data.pasts[1])}};
             clear(render, textures, rect);
-            phases_[index].draw(world, render, textures, rect);
+            pictures_.draw(world, render, lifetime.frames, textures, rect);
+            advections_[index].surfaces.draw(world, render, textures, rect);
         });
     return pass.pasts;
 }

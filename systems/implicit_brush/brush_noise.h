@@ -5,6 +5,7 @@
 #include <hachure/runtime/gpu/framebuffer.h>
 #include <hachure/systems/implicit_brush/brush_noise_key.h>
 #include <hachure/systems/implicit_brush/noise_phases.h>
+#include <hachure/systems/implicit_brush/picture_phases.h>
 #include <hachure/systems/implicit_brush/surface_places.h>
 
 #include <array>
@@ -28,14 +29,32 @@ private:
 
     using Pasts = std::array<gpu::TextureHandle, 2>;
 
+    /// How long advected noise lives.
+    struct Lifetime {
+        float pixels = 1.0f; ///< on surfaces: see NoisePhases
+        int frames = 2;      ///< on pictures: see PicturePhases
+
+        friend bool operator==(const Lifetime&, const Lifetime&) = default;
+    };
+
+    struct Advection {
+        Lifetime lifetime;
+        NoisePhases surfaces;
+    };
+
+    static Lifetime lifetime_of(const BrushNoiseKey& key);
+
     Places declare_places(World& world, const gpu::Rect& rect);
+    /// Keeps what is wanted, adds what is missing.
+    void want_lifetimes(std::span<const BrushNoiseKey> keys);
+    std::vector<Pasts> declare_all_pasts(World& world, const gpu::Rect& rect);
     Pasts declare_pasts(World& world, std::size_t index, const gpu::Rect& rect);
-    std::vector<Pasts> declare_all_pasts(World& world, std::span<const BrushNoiseKey> keys, const gpu::Rect& rect);
     static gpu::TextureHandle declare_noise(World& world, const BrushNoiseKey& key, std::size_t index,
                                             const Places& places, const Pasts& pasts, const gpu::Rect& rect);
 
     SurfacePlaces places_;
-    std::vector<NoisePhases> phases_; ///< one for each lifetime that some noise has
+    std::vector<Advection> advections_; ///< one for each lifetime that some noise has
+    PicturePhases pictures_;
 };
 
 } // namespace hachure

@@ -63,13 +63,12 @@ float phase_weight(double clock, std::size_t phase) {
     return static_cast<float>(std::sin(glm::pi<double>() * (time - std::floor(time))));
 }
 
-/// Noise of one period is another one than that of the next because it is taken from another place.
-glm::vec2 random_shift(Entity entity, std::size_t phase, std::uint64_t version) {
-    const std::uint64_t bits = gpu::key_of(entity.index, static_cast<std::uint64_t>(phase), version);
+} // namespace
+
+glm::vec2 random_shift(Entity entity, std::size_t phase, std::uint64_t period) {
+    const std::uint64_t bits = gpu::key_of(entity.index, static_cast<std::uint64_t>(phase), period);
     return {static_cast<float>(bits & 0xfffu), static_cast<float>((bits >> 32) & 0xfffu)};
 }
-
-} // namespace
 
 PointMotion point_motion(std::span<const glm::vec3> before, std::span<const glm::vec3> now, glm::vec2 viewport) {
     glm::vec2 sum(0.0f);

@@ -50,8 +50,6 @@ public:
     /// All surfaces of the frame taken in last, onto what `textures` hold, in `rect`.
     void draw(const World& world, RenderContext& render, const PhaseTextures& textures, const gpu::Rect& rect);
 
-    [[nodiscard]] float lifetime() const { return lifetime_; }
-
     /// What the textures follow from.
     [[nodiscard]] std::uint64_t key() const { return key_; }
 
@@ -85,6 +83,9 @@ private:
     std::array<VertexTextures, 2> positions_{VertexTextures("positions of noise 0"),
                                              VertexTextures("positions of noise 1")};
 };
+
+/// Noise of one period is another one than that of the next because it is taken from another place: so many pixels off.
+[[nodiscard]] glm::vec2 random_shift(Entity entity, std::size_t phase, std::uint64_t period);
 
 /// How two pictures of the same points differ.
 struct PointMotion {

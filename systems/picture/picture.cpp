@@ -5,6 +5,7 @@
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/frame_requests.h>
 #include <hachure/runtime/scene/picture_list.h>
+#include <hachure/runtime/scene/picture_tones.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/picture/picture.h>
 #include <hachure/systems/picture/picture_file.h>
@@ -75,8 +76,10 @@ void register_picture(App& app) {
     if (!app.world().find_resource<DrawList>()) app.world().set_resource(DrawList{});
     for (AovInfo& aov : picture_aovs()) frame_requests(app.world()).known.push_back(std::move(aov));
     app.add_system(Stage::material, "picture.collect", collect_pictures).after("surface.collect");
-    app.add_system(Stage::render, "picture.pass",
-                   [passes = std::make_shared<PicturePasses>()](World& world) { passes->declare(world); })
+    const auto passes = std::make_shared<PicturePasses>();
+    app.world().set_resource(
+        PictureTones{[passes](World& world, const PictureItem& item) { passes->draw_tone(world, item); }});
+    app.add_system(Stage::render, "picture.pass", [passes](World& world) { passes->declare(world); })
         .after("deform.pass")
         .after("surface.passes")
         .before("gooch.pass")

@@ -156,6 +156,19 @@ void PicturePasses::declare_base(World& world) {
         });
 }
 
+void PicturePasses::draw_tone(World& world, const PictureItem& item) {
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    PictureFile& file = world.resource_mutable<PictureFiles>().files.at(item.entity);
+    textures_.want_tone(item);
+    gpu::Program& program = render.shaders->program({.vertex = vertex, .fragment = "picture/mean.frag"});
+    set_place(program, item, file);
+    textures_.texture(PictureLayer::tone, *render.context, file, item).bind(0);
+    gpu::apply(
+        {.viewport = {0, 0, item.rect.x + item.rect.width, item.rect.y + item.rect.height}, .scissor = item.rect});
+    program.use();
+    render.full_screen.draw();
+}
+
 void PicturePasses::declare_layer(World& world, PictureLayer layer) {
     struct Data {
         gpu::TextureHandle texture;

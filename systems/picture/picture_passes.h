@@ -12,6 +12,9 @@ class PicturePasses {
 public:
     void declare(World& world);
 
+    /// PictureTones::draw.
+    void draw_tone(World& world, const PictureItem& item);
+
 private:
     void declare_base(World& world);
     void declare_layer(World& world, PictureLayer layer);

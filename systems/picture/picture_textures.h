@@ -7,6 +7,7 @@
 #include <hachure/systems/picture/picture_file.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -25,6 +26,11 @@ class PictureTextures {
 public:
     /// Says what the passes of this frame may ask for of the item, so that its frame is decoded once for all of them.
     void want(const PictureItem& item, const PictureLayers& layers);
+
+    /// The same, of the tone besides what was said before.
+    void want_tone(const PictureItem& item) {
+        frames_[item.entity].wanted[static_cast<std::size_t>(PictureLayer::tone)] = true;
+    }
 
     /// A layer that is wanted, and that the file has:
     /// - tone: in red;

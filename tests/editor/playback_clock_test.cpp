@@ -1,4 +1,5 @@
 #include <hachure/components/animation.h>
+#include <hachure/components/implicit_brush.h>
 #include <hachure/components/morph_weights.h>
 #include <hachure/components/rig.h>
 #include <hachure/components/transform.h>
@@ -45,6 +46,14 @@ TEST(PlaybackClock, ScriptsNeedStepping) {
     app.add_component<Stateful>();
     EXPECT_FALSE(needs_stepping(app)) << "nobody carries one";
     app.world().add(entity, Stateful{});
+    EXPECT_TRUE(needs_stepping(app));
+}
+
+TEST(PlaybackClock, StepsWhereNoiseIsCarriedAlong) {
+    App app;
+    const Entity brush = app.world().create_with(ImplicitBrush{.grain = BrushGrain::solid});
+    EXPECT_FALSE(needs_stepping(app));
+    app.world().get_mutable<ImplicitBrush>(brush).grain = BrushGrain::advected;
     EXPECT_TRUE(needs_stepping(app));
 }
 
