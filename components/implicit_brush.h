@@ -74,7 +74,13 @@ enum class BrushGrain {
 };
 
 /// How stamps are added up; all give the same picture.
-enum class BrushMethod { automatic, splat, gather, tiles };
+enum class BrushMethod {
+    automatic, ///< whatever is fastest here
+    splat,     ///< each stamp is drawn over the pixels that it covers
+    gather,    ///< each pixel looks at all pixels in reach
+    tiles,     ///< each pixel looks at those in reach that stamp
+    sums,      ///< from running sums along rows of where disks begin and end; automatic for what is no round disk
+};
 
 /// Lines along features of what is seen, painted by stamping the form of a brush at every pixel near them (Implicit
 /// Brushes, Vergne et al. 2011).
@@ -251,7 +257,7 @@ inline void reflect(TypeBuilder<ImplicitBrush>& type) {
         .range(0, 0.5);
     type.field("method", &ImplicitBrush::method)
         .doc("how stamps are added up: whatever is fastest here, or one way")
-        .options({"automatic", "splat", "gather", "tiles"});
+        .options({"automatic", "splat", "gather", "tiles", "sums"});
 }
 
 } // namespace hachure

@@ -11,12 +11,14 @@ layout(r32ui, binding = 0) uniform writeonly uimage2D starts; // of marks' texel
 layout(r32ui, binding = 1) uniform writeonly uimage2D tiles;
 
 uniform ivec4 mark_area; // x, y, width, height of what was marked, texels
+uniform int sum_rows;    // of running sums
 uniform int forced;      // a method, or 0 for the cheapest
 
 // Nanoseconds (systems/implicit_brush/convolution_cost.h).
 uniform float splat_stamp, splat_pixel, splat_tile;
 uniform float gather_tile, gather_pair;
 uniform float marked_tile, marked_pair;
+uniform float sum_all, sum_stamp; // less than 0 where there are no such sums
 
 shared uint sums[GROUP];
 
@@ -83,9 +85,13 @@ uint cheapest(uint stamps, uint reached_tiles, uint pairs) {
     float splat = float(stamps) * (splat_stamp + splat_pixel) + float(reached_tiles) * splat_tile;
     float gather = float(reached_tiles) * gather_tile + float(pairs) * gather_pair;
     float marked = float(reached_tiles) * marked_tile + float(pairs) * marked_pair;
-    if (splat <= min(gather, marked)) return 1u;
-    return gather <= marked ? 2u : 3u;
+    float sums = sum_all + float(stamps) * sum_stamp + float(reached_tiles) * splat_tile;
+    float least = min(splat, min(gather, marked));
+    if (sum_all >= 0.0 && sums < least) return 4u;
+    return splat == least ? 1u : gather == least ? 2u : 3u;
 }
+
+uvec3 groups(int items, int of_group) { return uvec3((items + of_group - 1) / of_group, 1, 1); }
 
 DrawCommand triangles(uint pairs, bool chosen) { return DrawCommand(chosen ? 6u * pairs : 0u, 1u, 0u, 0u); }
 
@@ -98,8 +104,12 @@ void main() {
     plan.splat_tiles = triangles(reached_tiles, method == 1u);
     plan.gather_tiles = triangles(reached_tiles, method == 2u);
     plan.marked_tiles = triangles(reached_tiles, method == 3u);
-    uint texels = method == 1u && stamps > 0u ? uint(mark_area.z * mark_area.w) : 0u;
-    plan.list_groups = uvec3((texels + uint(LIST_GROUP) - 1u) / uint(LIST_GROUP), 1u, 1u);
+    plan.sum_tiles = triangles(reached_tiles, method == 4u);
+    plan.sum_clear = DrawCommand(method == 4u ? 3u : 0u, 1u, 0u, 0u);
+    bool listed = (method == 1u || method == 4u) && stamps > 0u;
+    plan.list_groups = groups(listed ? mark_area.z * mark_area.w : 0, LIST_GROUP);
+    plan.edge_groups = groups(method == 4u ? int(stamps) : 0, SUM_GROUP);
+    plan.sum_groups = groups(method == 4u && stamps > 0u ? sum_rows : 0, SUM_GROUP);
     plan.method = method;
     plan.stamp_count = stamps;
     plan.tile_count = reached_tiles;

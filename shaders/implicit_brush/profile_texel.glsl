@@ -34,3 +34,8 @@ float singularity_at(vec2 offset) {
     Between b = between(offset);
     return mixed(textureGather(features, b.corner, 3), b.part);
 }
+
+vec2 twice_angle_at(vec2 offset) {
+    Between b = between(offset);
+    return vec2(mixed(textureGather(features, b.corner, 1), b.part), mixed(textureGather(features, b.corner, 2), b.part));
+}

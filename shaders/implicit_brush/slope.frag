@@ -22,7 +22,7 @@ layout(location = 0) out vec4 out_slope;
 // curvatures grow towards the outline everywhere: no line inside of it).
 const float steepest = 4.0;
 // Of what the slopes beside a pixel explain, in px: rounding of depths and normals of small facets.
-const float tolerance = 0.25;
+const float tolerance = 0.5;
 
 struct Sight {
     bool there;

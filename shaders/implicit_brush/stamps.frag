@@ -87,7 +87,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 profile = texelFetch(profiles, pixel, 0);
     float height = profile.z, curvature = profile.w;
-    if (!(height > 0.0) || abs(profile.x) > 1e3) discard;
+    if (!(height > 0.0 && abs(profile.x) < 1e3 && abs(profile.y) < 1e3)) discard;
     float peak = driven(style.peak, style.drivers.x, height, curvature);
     if (peak < style.scale.x || peak <= 0.0) discard;
     vec2 line = gl_FragCoord.xy + profile.xy;

@@ -23,6 +23,7 @@ struct BrushDraw {
     std::optional<std::size_t> noise; ///< into BrushFrame::noises
     bool everywhere = false;          ///< it paints on all that is seen: no pixel needs to ask whose it is
     float radius = 0.0f;              ///< of its largest stamp, px
+    gpu::Rect stamps;                 ///< where pixels can count
     gpu::Rect rect;                   ///< where it can leave ink
 };
 
@@ -34,6 +35,7 @@ struct BrushFrame {
     std::vector<BrushDraw> draws;         ///< in the order in which they are painted
     std::vector<std::uint32_t> owners;    ///< by object id, `owner_words` each: bit i for `draws[i]`
     std::size_t owner_words = 1;          ///< of an object id
+    gpu::Rect sought;                     ///< where some brush wants to know of features
     gpu::Rect rect;                       ///< around all ink
 
     [[nodiscard]] bool owns(std::size_t draw, std::uint32_t object_id) const {

@@ -3,6 +3,7 @@
 #include <hachure/runtime/scene/line_layer.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/implicit_brush/brush_frame.h>
 #include <hachure/systems/implicit_brush/brush_passes.h>
 #include <hachure/systems/implicit_brush/feature_aovs.h>
@@ -61,7 +62,7 @@ ConvolveJob convolve_job(const BrushDraw& draw, const FeatureImage& quality, con
     const bool halves = quality.quality == FeatureQuality::fast;
     ConvolveJob job{
         .method = brush.method,
-        .stamps = draw.rect,
+        .stamps = draw.stamps,
         .footprint = {.tip = brush.tip, .aspect = brush.aspect, .bitmap_mean = bitmap ? bitmap->mean : 0.0f},
         .bitmap = bitmap,
         .radius = draw.radius,
@@ -93,17 +94,17 @@ struct InkPass {
 void BrushPasses::declare(World& world) {
     const BrushFrame& frame = world.resource<BrushFrame>();
     if (frame.features.empty()) return;
-    const std::vector<FeatureTextures> features = features_.declare(world, frame.features, frame.rect);
-    const std::vector<TextureHandle> noises = noises_.declare(world, frame.noises, frame.rect);
+    const std::vector<FeatureTextures> features = features_.declare(world, frame.features, frame.sought);
+    const std::vector<TextureHandle> noises = noises_.declare(world, frame.noises, united(frame.sought, frame.rect));
     std::vector<BrushInk> inks;
     for (std::size_t i = 0; i < frame.draws.size(); ++i) {
         const BrushDraw& draw = frame.draws[i];
         const TextureHandle noise = draw.noise ? noises[*draw.noise] : TextureHandle{};
         const Stamps stamps = declare_stamps(world, i, features[draw.feature], noise);
         declare_ink(world, i, stamps, noise);
-        inks.push_back({stamps.ink, draw.rect});
+        inks.push_back({stamps.ink, draw.stamps});
     }
-    declare_feature_aovs(world, features[frame.draws.empty() ? 0 : frame.draws.front().feature], frame.rect);
+    declare_feature_aovs(world, features[frame.draws.empty() ? 0 : frame.draws.front().feature], frame.sought);
     declare_weight_map(world, inks);
 }
 
@@ -128,7 +129,7 @@ BrushPasses::Stamps BrushPasses::declare_stamps(World& world, std::size_t index,
                 pass.create(fmt::format("brush_place_{}", index), {view.width, view.height, gpu::Format::rgba16f});
             data.ink = pass.create(fmt::format("brush_ink_{}", index), {view.width, view.height, gpu::Format::rgba16f});
             pass.depends_on(view.key(), style_key(draw.style), owners_key(frame, index), render.shaders->generation());
-            depend_on_rect(pass, draw.rect);
+            depend_on_rect(pass, draw.stamps);
         },
         [this, &world, &render, index, contours](const StampPass& data, gpu::PassContext& pass) {
             const BrushFrame& drawn = world.resource<BrushFrame>();
@@ -145,7 +146,7 @@ BrushPasses::Stamps BrushPasses::declare_stamps(World& world, std::size_t index,
                                  .owner_words = drawn.owner_words,
                                  .owner_bit = index,
                                  .owners = drawn.owners,
-                                 .rect = drawn.draws[index].rect,
+                                 .rect = drawn.draws[index].stamps,
                                  .place = id(data.place),
                                  .ink = id(data.ink)});
         });

@@ -19,13 +19,21 @@ gpu::Format sums_format(const ConvolveJob& job) {
 
 bool ConvolveJob::sums_opacity() const { return same_color && !(bitmap != nullptr && bitmap->colored); }
 
+bool ConvolveJob::may_use(BrushMethod which) const {
+    const bool disks = footprint.tip == BrushTip::disk && footprint.round();
+    if (which == BrushMethod::sums && !disks) return false;
+    return method == which || method == BrushMethod::automatic || (method == BrushMethod::sums && !disks);
+}
+
 std::vector<gpu::TextureDesc> ConvolveJob::scratch(int width, int height) const {
     using gpu::Format;
     const gpu::TextureDesc marks{(width + 31) / 32, height, Format::r32ui};
     const gpu::TextureDesc tiles{tiles_of(width), tiles_of(height), Format::r32ui};
     std::vector<gpu::TextureDesc> made = {marks, marks, tiles, tiles};
-    if (method == BrushMethod::automatic || method == BrushMethod::splat)
-        made.insert(made.end(), {{width, height, Format::r32ui}, {width, height, sums_format(*this)}});
+    const bool splats = may_use(BrushMethod::splat), running = may_use(BrushMethod::sums);
+    if (splats || running) made.push_back({width, height, Format::r32ui});
+    if (splats) made.push_back({width, height, sums_format(*this)});
+    if (running) made.push_back({(sums_opacity() ? 1 : 4) * width, height, Format::r32ui});
     return made;
 }
 

@@ -27,7 +27,7 @@ struct CanvasNoise {
 ///
 /// Pixel y adds w(y) b(x - y) to pixel x (equation 3), scaled by `radius` over its stamp's own radius, so that lines
 /// don't fade where they are thinner. Pixels whose weight is 0, or whose stamp has values that are no numbers, add
-/// nothing.
+/// nothing. Colours beyond 16 are cut.
 struct ConvolveJob {
     BrushMethod method = BrushMethod::automatic;
 
@@ -51,7 +51,7 @@ struct ConvolveJob {
     float opacity = 1.0f;  ///< of the lines
     CanvasNoise canvas = {};
 
-    /// Of the sums that splats are added up in, RGBA: gather and tiles need none. rgba16f is off by up to 1e-2.
+    /// Of the sums that splats are added up in: rgba32f, or rgba16f, which is off by up to 1e-2.
     gpu::Format sums = gpu::Format::rgba32f;
 
     std::uint32_t target = 0; ///< what lines are laid over, premultiplied
@@ -61,6 +61,9 @@ struct ConvolveJob {
 
     /// Whether sums are of opacity alone: all stamps have one colour, and the tip has none of its own.
     [[nodiscard]] bool sums_opacity() const;
+
+    /// Whether stamps may be added up that way.
+    [[nodiscard]] bool may_use(BrushMethod which) const;
 
     /// How far from its pixel a stamp has ink, px.
     [[nodiscard]] int reach() const;

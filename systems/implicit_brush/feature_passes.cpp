@@ -70,7 +70,7 @@ private:
     [[nodiscard]] TextureHandle source(SlopePasses& slopes) const {
         const FeatureKey& key = request_.key;
         if (key.feature == BrushFeature::contours)
-            return slopes.breaks(key.world_window ? SlopeJob{}.half_break : 0.5f * key.window);
+            return slopes.breaks(0.5f * (key.world_window ? middling_contour_window : key.window));
         return slopes.slopes(of_luminance(world_, key) ? SlopeKind::luminance : SlopeKind::surface, key.diffusion);
     }
 

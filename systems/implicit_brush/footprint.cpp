@@ -59,7 +59,17 @@ double Footprint::mass(double radius) const { return unit_mass(*this) * double(a
 
 double Footprint::reach(double radius) const {
     const glm::dvec2 box = half_box(*this, radius);
-    if (tip == BrushTip::disk || tip == BrushTip::soft_disk) return std::max(box.x, box.y);
+    switch (tip) {
+    case BrushTip::disk:
+    case BrushTip::soft_disk:
+    case BrushTip::splatter: // within the unit circle
+        return std::max(box.x, box.y);
+    case BrushTip::bristle: // likewise, and smoothed along and across
+        return radius + std::numbers::sqrt2;
+    case BrushTip::line:
+    case BrushTip::bitmap:
+        break;
+    }
     return std::hypot(box.x, box.y);
 }
 

@@ -27,7 +27,7 @@ inline constexpr std::array<glm::vec4, 7> bristle_hairs = {{{0.05f, -0.82f, 0.42
                                                             {-0.02f, 0.02f, 0.93f, 0.095f},
                                                             {0.10f, 0.30f, 0.80f, 0.075f},
                                                             {-0.10f, 0.57f, 0.62f, 0.050f},
-                                                            {0.06f, 0.81f, 0.44f, 0.070f}}};
+                                                            {0.06f, 0.81f, 0.40f, 0.070f}}};
 
 /// The drops of BrushTip::splatter: middle x, y, radius. They lie within the unit circle, apart from each other.
 inline constexpr std::array<glm::vec3, 9> splatter_drops = {{{-0.08f, 0.05f, 0.36f},

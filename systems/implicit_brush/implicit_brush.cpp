@@ -23,7 +23,8 @@ void register_implicit_brush(App& app) {
         .after("surface.collect")
         .after("picture.collect")
         .after("edge_lines.select")
-        .after("abstracted_lines.select");
+        .after("abstracted_lines.select")
+        .after("abstracted_lines.strokes");
     app.add_system(Stage::render, "implicit_brush.pass",
                    [passes = std::make_shared<BrushPasses>()](World& world) { passes->declare(world); })
         .after("surface.passes")

@@ -167,12 +167,15 @@ private:
         for (const Entity entity : painted_[index]) {
             const Canvases::Item& item = canvases_.items.at(entity);
             draw.radius = std::max(draw.radius, largest_radius(draw.brush, view_, item.metre));
+            const float counting = weight_reach(draw.brush, view_, item.metre);
+            const float inked = ink_reach(draw.brush, view_, item.metre);
             float& wanted = frame_.features[draw.feature].reach;
-            wanted = std::max(wanted, weight_reach(draw.brush, view_, item.metre));
-            const int margin = static_cast<int>(std::ceil(ink_reach(draw.brush, view_, item.metre))) + 1;
-            draw.rect = united(draw.rect, grown(item.rect, margin, view_));
+            wanted = std::max(wanted, counting);
+            draw.stamps = united(draw.stamps, grown(item.rect, static_cast<int>(std::ceil(counting)) + 1, view_));
+            draw.rect = united(draw.rect, grown(item.rect, static_cast<int>(std::ceil(inked)) + 1, view_));
         }
         draw.style.scale.z = draw.radius;
+        frame_.sought = united(frame_.sought, draw.stamps);
         frame_.rect = united(frame_.rect, draw.rect);
     }
 
@@ -191,7 +194,7 @@ void add_requested(const View& view, const FrameRequests& requests, BrushFrame& 
     }
     FeatureRequest& shown = frame.features[frame.draws.empty() ? 0 : frame.draws.front().feature];
     shown = {shown.key};
-    frame.rect = {0, 0, view.width, view.height};
+    frame.sought = {0, 0, view.width, view.height};
 }
 
 } // namespace

@@ -29,7 +29,7 @@ struct SlopeJob {
     std::uint32_t picture_depth = 0, picture_normals = 0;
     std::uint32_t tones = 0;      ///< for `luminance`: red the tone, green 1 where there is something
     std::uint32_t insulation = 0; ///< likewise: slopes of the surface, whose contours insulate; may be 0
-    float half_break = 3.0f;      ///< px: a depth break of so many footprints of a pixel counts half
+    float half_break = 6.0f;      ///< px: a depth break of so many footprints of a pixel counts half
     gpu::Rect rect;               ///< the part of `to` that is made
     std::uint32_t to = 0;         ///< rgba16f or rgba32f
 

@@ -15,7 +15,7 @@
 namespace hachure {
 namespace {
 
-constexpr int plan_group = 256, list_group = 64;
+constexpr int plan_group = 256, list_group = 64, sum_group = 32;
 
 /// Texture units, as the shaders have them.
 enum Unit : GLuint { places_unit, inks_unit, marks_unit, list_unit, tiles_unit, canvas_unit, bitmap_unit };
@@ -35,19 +35,32 @@ void draw_indirect(std::size_t command) {
     gpu::gl().DrawArraysIndirect(GL_TRIANGLES, reinterpret_cast<const void*>(command));
 }
 
+void dispatch_indirect(std::size_t groups) { gpu::gl().DispatchComputeIndirect(static_cast<GLintptr>(groups)); }
+
+/// What sums in whole numbers count 1 as: as much as leaves room for the largest sum there can be, of stamps that lie
+/// at least half as dense as pixels do, times colours up to 16.
+float fixed_point(const ConvolveJob& job) {
+    const double largest = double(job.largest_radius) + 2.0, crowded = 1.0 + double(job.largest_shift) / largest;
+    // Of stamps that reach a pixel, those at a distance d have at least that radius, and count radius / d times.
+    const double sum = 2.0 * std::numbers::pi * double(job.radius) * (largest + 4.0) * crowded * crowded;
+    return static_cast<float>(double(1 << 30) / (sum * (job.sums_opacity() ? 1.0 : 16.0)));
+}
+
 } // namespace
 
 /// One run, and its textures by what they are for.
 struct StampConvolver::Run {
     RenderContext& render;
     const ConvolveJob& job;
-    std::uint32_t marks, starts, reached, tiles, list, sums;
+    std::uint32_t marks, starts, reached, tiles, list = 0, splat_sums = 0, running_sums = 0;
     int width, height, reach;
     gpu::Rect painted;
 
     Run(RenderContext& render_, const ConvolveJob& job_, std::span<const std::uint32_t> scratch)
-        : render(render_), job(job_), marks(scratch[0]), starts(scratch[1]), reached(scratch[2]), tiles(scratch[3]),
-          list(scratch.size() > 4 ? scratch[4] : 0), sums(scratch.size() > 5 ? scratch[5] : 0) {
+        : render(render_), job(job_), marks(scratch[0]), starts(scratch[1]), reached(scratch[2]), tiles(scratch[3]) {
+        if (scratch.size() > 4) list = scratch[4];
+        if (job.may_use(BrushMethod::splat)) splat_sums = scratch[5];
+        if (job.may_use(BrushMethod::sums)) running_sums = scratch.back();
         const gpu::TextureDesc& desc = texture(job.inks).desc();
         width = desc.width;
         height = desc.height;
@@ -133,10 +146,12 @@ void StampConvolver::run(RenderContext& render, const ConvolveJob& job, std::spa
     mark(run);
     plan(run);
     plan_.bind(GL_DRAW_INDIRECT_BUFFER);
-    const bool any = job.method == BrushMethod::automatic;
-    if (any || job.method == BrushMethod::splat) splat(run);
-    if (any || job.method == BrushMethod::gather) gather(run, false);
-    if (any || job.method == BrushMethod::tiles) gather(run, true);
+    plan_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+    if (run.list != 0) list(run);
+    if (job.may_use(BrushMethod::splat)) splat(run);
+    if (job.may_use(BrushMethod::sums)) sum(run);
+    if (job.may_use(BrushMethod::gather)) gather(run, false);
+    if (job.may_use(BrushMethod::tiles)) gather(run, true);
 }
 
 /// Marks the pixels that stamp, and counts those near each tile.
@@ -158,14 +173,17 @@ void StampConvolver::mark(const Run& run) const {
 
 void StampConvolver::plan(const Run& run) {
     const gpu::Rect area = mark_area(run.job.stamps);
-    gpu::Program& program = run.render.shaders->program(
-        {.compute = "implicit_brush/plan.comp",
-         .defines = {{"GROUP", std::to_string(plan_group)}, {"LIST_GROUP", std::to_string(list_group)}}});
+    gpu::Program& program = run.render.shaders->program({.compute = "implicit_brush/plan.comp",
+                                                         .defines = {{"GROUP", std::to_string(plan_group)},
+                                                                     {"LIST_GROUP", std::to_string(list_group)},
+                                                                     {"SUM_GROUP", std::to_string(sum_group)}}});
     program.set("mark_area", glm::ivec4(area.x, area.y, area.width, area.height));
-    program.set("forced", static_cast<int>(run.job.method));
-    if (run.job.method == BrushMethod::automatic) {
+    program.set("sum_rows", (run.job.sums_opacity() ? 1 : 4) * run.painted.height);
+    const bool forced = run.job.may_use(run.job.method) && run.job.method != BrushMethod::automatic;
+    program.set("forced", forced ? static_cast<int>(run.job.method) : 0);
+    if (!forced) {
         if (!cost_) cost_.emplace();
-        cost_->set(program, run.job);
+        cost_->set(program, run.job, run.width, run.height);
     }
     plan_.bind_base(gpu::BufferBinding::storage, 0);
     run.texture(run.marks).bind(marks_unit);
@@ -184,8 +202,8 @@ void StampConvolver::draw_tiles(const Run& run, std::size_t command) const {
     draw_indirect(command);
 }
 
-/// Stamps into sums, and sums into ink.
-void StampConvolver::splat(const Run& run) const {
+/// Lists the stamps, if the plan wants them listed.
+void StampConvolver::list(const Run& run) const {
     const gpu::Rect area = mark_area(run.job.stamps);
     gpu::Program& list = run.render.shaders->program(
         {.compute = "implicit_brush/list.comp", .defines = {{"LIST_GROUP", std::to_string(list_group)}}});
@@ -193,12 +211,14 @@ void StampConvolver::splat(const Run& run) const {
     run.texture(run.marks).bind(marks_unit);
     run.texture(run.starts).bind(list_unit);
     run.texture(run.list).bind_image(0, GL_WRITE_ONLY);
-    plan_.bind(GL_DISPATCH_INDIRECT_BUFFER);
     list.use();
-    gpu::gl().DispatchComputeIndirect(static_cast<GLintptr>(offsetof(ConvolutionPlan, list_groups)));
+    dispatch_indirect(offsetof(ConvolutionPlan, list_groups));
     barrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
 
-    run.draw_into(run.sums, gpu::Blend::off);
+/// Stamps into sums, and sums into ink.
+void StampConvolver::splat(const Run& run) const {
+    run.draw_into(run.splat_sums, gpu::Blend::off);
     gpu::Program& clear = run.render.shaders->program({.vertex = "implicit_brush/tile.vert",
                                                        .fragment = "implicit_brush/clear.frag",
                                                        .defines = {{"TILE", std::to_string(convolution_tile)}}});
@@ -209,23 +229,68 @@ void StampConvolver::splat(const Run& run) const {
     gpu::Program& splats =
         run.stamping({.vertex = "implicit_brush/splat.vert", .fragment = "implicit_brush/splat.frag"});
     run.texture(run.list).bind(list_unit);
-    run.draw_into(run.sums, gpu::Blend::add);
+    run.draw_into(run.splat_sums, gpu::Blend::add);
     splats.use();
     vertex_array_.bind();
     draw_indirect(offsetof(ConvolutionPlan, splats));
 
     gpu::Program& resolve =
         run.toning({.vertex = "implicit_brush/tile.vert", .fragment = "implicit_brush/resolve.frag"});
-    run.texture(run.sums).bind(marks_unit);
+    run.texture(run.splat_sums).bind(marks_unit);
     run.draw_into(run.job.target, gpu::Blend::premultiplied);
     resolve.use();
     draw_tiles(run, offsetof(ConvolutionPlan, splat_tiles));
 }
 
+/// Where disks begin and end; sums of that, and ink from those.
+void StampConvolver::sum(const Run& run) const {
+    const int channels = run.job.sums_opacity() ? 1 : 4;
+    const gpu::Rect& painted = run.painted;
+    const glm::ivec4 corners(painted.x, painted.y, last_of(painted));
+    const gpu::Texture& sums = run.texture(run.running_sums);
+    clear_sums(run, {channels * painted.x, painted.y, channels * painted.width, painted.height});
+
+    gpu::Program& edges =
+        run.stamping({.compute = "implicit_brush/edges.comp", .defines = {{"GROUP", std::to_string(sum_group)}}});
+    edges.set("painted", corners);
+    edges.set("fixed_point", fixed_point(run.job));
+    run.texture(run.list).bind(list_unit);
+    sums.bind_image(0, GL_READ_WRITE);
+    edges.use();
+    dispatch_indirect(offsetof(ConvolutionPlan, edge_groups));
+    barrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+
+    gpu::Program& running = run.render.shaders->program(
+        {.compute = "implicit_brush/running_sums.comp",
+         .defines = {{"GROUP", std::to_string(sum_group)}, {"CHANNELS", std::to_string(channels)}}});
+    running.set("painted", corners);
+    running.use();
+    dispatch_indirect(offsetof(ConvolutionPlan, sum_groups));
+    barrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+
+    gpu::Program& ink = run.toning({.vertex = "implicit_brush/tile.vert", .fragment = "implicit_brush/sums.frag"});
+    ink.set("fixed_point", fixed_point(run.job));
+    sums.bind(marks_unit);
+    run.draw_into(run.job.target, gpu::Blend::premultiplied);
+    ink.use();
+    draw_tiles(run, offsetof(ConvolutionPlan, sum_tiles));
+}
+
+void StampConvolver::clear_sums(const Run& run, const gpu::Rect& texels) const {
+    const gpu::Framebuffer& framebuffer = run.render.backend->framebuffer({run.running_sums});
+    framebuffer.bind();
+    gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}, .scissor = texels});
+    run.render.shaders->program({.vertex = "common/full_screen.vert", .fragment = "implicit_brush/clear_sums.frag"})
+        .use();
+    vertex_array_.bind();
+    draw_indirect(offsetof(ConvolutionPlan, sum_clear));
+    barrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
 /// Ink in one step: each pixel adds up what reaches it.
 void StampConvolver::gather(const Run& run, bool marked) const {
     gpu::ProgramSource source{.vertex = "implicit_brush/tile.vert", .fragment = "implicit_brush/gather.frag"};
-    if (marked) source.defines.push_back({"MARKED", ""});
+    if (marked) source.defines = {{"MARKED", ""}, {"BLOCK", std::to_string(gather_block)}};
     gpu::Program& program = run.toning(std::move(source));
     run.texture(run.marks).bind(marks_unit);
     run.draw_into(run.job.target, gpu::Blend::premultiplied);

@@ -37,7 +37,10 @@ private:
 
     void mark(const Run& run) const;
     void plan(const Run& run);
+    void list(const Run& run) const;
     void splat(const Run& run) const;
+    void sum(const Run& run) const;
+    void clear_sums(const Run& run, const gpu::Rect& texels) const;
     void gather(const Run& run, bool marked) const;
     void draw_tiles(const Run& run, std::size_t command) const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -24,6 +25,30 @@ inline double derivative(int order, double r) {
     }
     return sum;
 }
+
+/// The integral of h from 0: Simpson's rule on a fine grid.
+class Integral {
+public:
+    explicit Integral(double to) {
+        for (double r = 0.0; r < to + step; r += step) table_.push_back(table_.empty() ? 0.0 : next());
+    }
+
+    [[nodiscard]] double once(double r) const {
+        const auto i = static_cast<std::size_t>(r / step);
+        const double from = static_cast<double>(i) * step;
+        return table_.at(i) + simpson(from, r);
+    }
+
+private:
+    static constexpr double step = 0.02;
+    static double simpson(double a, double b) { return (b - a) / 6.0 * (h(a) + 4.0 * h(0.5 * (a + b)) + h(b)); }
+    [[nodiscard]] double next() const {
+        const double from = step * static_cast<double>(table_.size() - 1);
+        return table_.back() + simpson(from, from + step);
+    }
+
+    std::vector<double> table_;
+};
 
 } // namespace ripple
 

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <vector>
 
-// The convolution of section 4.1 of Vergne et al. 2011 and its tone mapping, in double precision: every stamp over every
-// pixel near it, footprints from what footprint.h says of them. Written without a look at the shaders.
+// The convolution of section 4.1 of Vergne et al. 2011 and its tone mapping, in double precision: every stamp over
+// every pixel near it, footprints from what footprint.h says of them. Written without a look at the shaders.
 
 namespace hachure::test {
 
@@ -24,7 +24,8 @@ public:
         for (int y = image.height - 1; y >= 0; --y) // the bottom row first
             for (int x = 0; x < image.width; ++x)
                 for (int c = 0; c < 4; ++c)
-                    first.values.push_back(double(image.pixels[static_cast<std::size_t>(4 * (y * image.width + x) + c)]));
+                    first.values.push_back(
+                        double(image.pixels[static_cast<std::size_t>(4 * (y * image.width + x) + c)]));
         levels_.push_back(first);
         while (levels_.back().width > 1 || levels_.back().height > 1) levels_.push_back(halved(levels_.back()));
     }
@@ -183,8 +184,8 @@ inline std::vector<double> convolution_reference(const StampImage& image, const 
             const double radius = double(stamp.radius), weight = double(stamp.weight);
             const FootprintReference form(job.footprint, radius, double(stamp.angle), bitmap);
             const std::array ink = {double(stamp.red), double(stamp.green), double(stamp.blue), weight};
-            const int far = static_cast<int>(std::ceil(1.5 * radius + 4.0 +
-                                                       std::hypot(double(stamp.x), double(stamp.y))));
+            const int far =
+                static_cast<int>(std::ceil(1.5 * radius + 4.0 + std::hypot(double(stamp.x), double(stamp.y))));
             for (int j = std::max(y - far, 0); j <= std::min(y + far, image.height - 1); ++j)
                 for (int i = std::max(x - far, 0); i <= std::min(x + far, image.width - 1); ++i) {
                     const auto tip = form.at(i - x - double(stamp.x), j - y - double(stamp.y));

@@ -57,7 +57,8 @@ public:
         const std::vector<gpu::TextureDesc> wanted = job.scratch(width_, height_);
         if (wanted != descs_) {
             forget_scratch();
-            for (const gpu::TextureDesc& desc : wanted) scratch_.push_back(render_.backend->create_texture(desc, "scratch"));
+            for (const gpu::TextureDesc& desc : wanted)
+                scratch_.push_back(render_.backend->create_texture(desc, "scratch"));
             descs_ = wanted;
         }
         convolver.run(render_, job, scratch_);

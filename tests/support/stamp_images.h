@@ -13,9 +13,9 @@ namespace hachure::test {
 /// What the pixels of a picture stamp, as brushes have it in their textures; the bottom row first.
 struct StampImage {
     struct Stamp {
-        float x = 0.0f, y = 0.0f; ///< middle, px from the pixel's centre
-        float radius = 1.0f;      ///< px
-        float angle = 0.0f;       ///< rad
+        float x = 0.0f, y = 0.0f;                                   ///< middle, px from the pixel's centre
+        float radius = 1.0f;                                        ///< px
+        float angle = 0.0f;                                         ///< rad
         float red = 0.0f, green = 0.0f, blue = 0.0f, weight = 0.0f; ///< colours times weight
     };
 
