@@ -7,6 +7,7 @@
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/renderer.h>
+#include <hachure/samples/common/sample_window.h>
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
@@ -88,9 +89,8 @@ struct Work {
 };
 
 Work work_of(const App& app, Renderer& renderer) {
-    Work work{app.world().resource<AnimationCounts>().clips, app.world().resource<DeformCounts>().surfaces};
-    for (const gpu::PassStats& pass : renderer.pass_stats()) work.passes += pass.state == gpu::PassState::run ? 1 : 0;
-    return work;
+    return {app.world().resource<AnimationCounts>().clips, app.world().resource<DeformCounts>().surfaces,
+            samples::passes_run(renderer)};
 }
 
 int run_headless(const std::string& file, int frames) {
@@ -143,34 +143,17 @@ void press(Stage& stage, int key) {
 }
 
 int run_window(const std::string& file) {
-    gpu::ContextOptions options;
-    options.backend = gpu::Backend::glfw;
-    options.width = 1024;
-    options.height = 768;
-    options.title = "character";
-    const std::unique_ptr<gpu::Context> context = gpu::make_context(options);
-    GLFWwindow* window = context->window();
+    constexpr Canvas size{1024, 768};
+    samples::SampleWindow window("character", size);
     App app;
     register_capabilities(app);
-    Renderer renderer(app, *context);
-    Stage stage(app, file, {options.width, options.height});
-    glfwSetWindowUserPointer(window, &stage);
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-        if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(w, GLFW_TRUE);
-        if (action == GLFW_PRESS) press(*static_cast<Stage*>(glfwGetWindowUserPointer(w)), key);
-    });
-    double last = glfwGetTime();
-    while (!glfwWindowShouldClose(window)) {
-        context->poll_events();
-        Canvas canvas{};
-        glfwGetFramebufferSize(window, &canvas.width, &canvas.height);
-        if (canvas.width > 0 && canvas.height > 0 && !(canvas == app.world().resource<Canvas>()))
-            app.world().set_resource(canvas);
-        const double now = glfwGetTime();
-        renderer.render_frame(now - last);
-        last = now;
+    Renderer renderer(app, window.context());
+    Stage stage(app, file, size);
+    while (window.next_frame(app.world())) {
+        for (const int key : window.hand().keys) press(stage, key);
+        renderer.render_frame(window.seconds());
         renderer.present();
-        glfwSetWindowTitle(window, (stage.animation().clip + ": " + work_of(app, renderer).text()).c_str());
+        window.set_title(stage.animation().clip + ": " + work_of(app, renderer).text());
     }
     return 0;
 }

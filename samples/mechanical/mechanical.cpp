@@ -5,9 +5,8 @@
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/renderer.h>
+#include <hachure/samples/common/sample_window.h>
 #include <hachure/systems/capabilities.h>
-
-#include <GLFW/glfw3.h>
 
 #include <array>
 #include <cmath>
@@ -95,39 +94,20 @@ int draw_picture(const Options& options) {
     return 0;
 }
 
-struct Pointer {
-    double x = 0.0, y = 0.0;
-};
-
 int run_window(const Options& options) {
-    const std::unique_ptr<gpu::Context> context = gpu::make_context({.backend = gpu::Backend::glfw,
-                                                                     .width = options.size.width,
-                                                                     .height = options.size.height,
-                                                                     .title = "mechanical"});
-    GLFWwindow* window = context->window();
+    samples::SampleWindow window("mechanical", options.size);
     App app;
     register_capabilities(app);
-    Renderer renderer(app, *context);
+    Renderer renderer(app, window.context());
     const Shown shown(options);
     Figure figure(app, shown.cells(options), line_width);
-    figure.arrange(options.size);
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-        if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) glfwSetWindowShouldClose(w, GLFW_TRUE);
-    });
-    Pointer pointer;
-    glfwGetCursorPos(window, &pointer.x, &pointer.y);
-    while (!glfwWindowShouldClose(window)) {
-        context->poll_events();
-        const Pointer before = pointer;
-        glfwGetCursorPos(window, &pointer.x, &pointer.y);
-        const bool moved = pointer.x != before.x || pointer.y != before.y;
-        if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && moved)
-            figure.turn(static_cast<float>(pointer.x - before.x) * 0.008f,
-                        static_cast<float>(pointer.y - before.y) * 0.008f);
-        Canvas canvas{};
-        glfwGetFramebufferSize(window, &canvas.width, &canvas.height);
-        if (canvas.width > 0 && canvas.height > 0 && !(canvas == app.world().resource<Canvas>()))
-            figure.arrange(canvas);
+    Canvas arranged = options.size;
+    figure.arrange(arranged);
+    while (window.next_frame(app.world())) {
+        const samples::Hand& hand = window.hand();
+        if (hand.drag != glm::vec2(0.0f)) figure.turn(0.008f * hand.drag.x, 0.008f * hand.drag.y);
+        if (const Canvas canvas = app.world().resource<Canvas>(); !(canvas == arranged))
+            figure.arrange(arranged = canvas);
         renderer.render_frame();
         renderer.present();
     }

@@ -10,6 +10,7 @@
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/renderer.h>
+#include <hachure/samples/common/sample_window.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/capabilities.h>
 #include <hachure/systems/model/spawn_model.h>
@@ -79,12 +80,6 @@ private:
     float yaw_ = 0.7f, pitch_ = -0.6f; ///< radians
 };
 
-int passes_run(Renderer& renderer) {
-    int count = 0;
-    for (const gpu::PassStats& pass : renderer.pass_stats()) count += pass.state == gpu::PassState::run ? 1 : 0;
-    return count;
-}
-
 /// A frame's lines: how opaque they are at each pixel, dark and bright ones.
 std::vector<float> draw_lines(Renderer& renderer) {
     renderer.render_frame();
@@ -134,28 +129,9 @@ int run_headless(const std::string& file, int frames) {
     std::printf("without edges of tones: %.0f px of lines\n", ink(ridges));
     good = check(ink(ridges) < 0.9 * ink(wide), "edges of tones are drawn at beta 1") && good;
     renderer.render_frame();
-    std::printf("nothing moved: %d passes ran\n", passes_run(renderer));
-    good = check(passes_run(renderer) == 0, "passes run while nothing moves") && good;
+    std::printf("nothing moved: %d passes ran\n", samples::passes_run(renderer));
+    good = check(samples::passes_run(renderer) == 0, "passes run while nothing moves") && good;
     return good ? 0 : 1;
-}
-
-/// What a person does in the window, since the last frame.
-struct Hand {
-    double x = 0.0, y = 0.0, scroll = 0.0;
-    std::vector<int> keys; ///< that went down, or repeat
-};
-
-void follow_hand(GLFWwindow* window, Hand& hand) {
-    glfwSetWindowUserPointer(window, &hand);
-    glfwGetCursorPos(window, &hand.x, &hand.y);
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double dy) {
-        static_cast<Hand*>(glfwGetWindowUserPointer(w))->scroll += dy;
-    });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-        if (action == GLFW_RELEASE) return;
-        if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(w, GLFW_TRUE);
-        static_cast<Hand*>(glfwGetWindowUserPointer(w))->keys.push_back(key);
-    });
 }
 
 void press(Study& study, int key) {
@@ -186,40 +162,28 @@ void press(Study& study, int key) {
     }
 }
 
-void apply_hand(GLFWwindow* window, Hand& hand, Study& study) {
-    const double old_x = hand.x, old_y = hand.y;
-    glfwGetCursorPos(window, &hand.x, &hand.y);
-    if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && (hand.x != old_x || hand.y != old_y))
-        study.turn_light(static_cast<float>(hand.x - old_x) * 0.008f, static_cast<float>(hand.y - old_y) * 0.008f);
-    if (hand.scroll != 0.0) study.widen(static_cast<float>(std::pow(1.1, hand.scroll)));
-    hand.scroll = 0.0;
+void apply_hand(const samples::Hand& hand, Study& study) {
+    if (hand.drag != glm::vec2(0.0f)) study.turn_light(0.008f * hand.drag.x, 0.008f * hand.drag.y);
+    if (hand.scroll != 0.0f) study.widen(std::pow(1.1f, hand.scroll));
     for (const int key : hand.keys) press(study, key);
-    hand.keys.clear();
+    for (const int key : hand.repeats) press(study, key);
 }
 
 int run_window(const std::string& file) {
-    const std::unique_ptr<gpu::Context> context =
-        gpu::make_context({.backend = gpu::Backend::glfw, .width = 1024, .height = 768, .title = "shading_lines"});
-    GLFWwindow* window = context->window();
+    constexpr Canvas size{1024, 768};
+    samples::SampleWindow window("shading_lines", size);
     App app;
     register_capabilities(app);
-    Renderer renderer(app, *context);
-    Study study(app, file, {1024, 768});
-    Hand hand;
-    follow_hand(window, hand);
-    while (!glfwWindowShouldClose(window)) {
-        context->poll_events();
-        apply_hand(window, hand, study);
-        Canvas canvas{};
-        glfwGetFramebufferSize(window, &canvas.width, &canvas.height);
-        if (canvas.width > 0 && canvas.height > 0 && !(canvas == app.world().resource<Canvas>()))
-            app.world().set_resource(canvas);
+    Renderer renderer(app, window.context());
+    Study study(app, file, size);
+    while (window.next_frame(app.world())) {
+        apply_hand(window.hand(), study);
         renderer.render_frame();
         renderer.present();
         char title[80];
         std::snprintf(title, sizeof title, "shading_lines: width %.1f px, beta %.2f", double(study.lines().width),
                       double(study.lines().beta));
-        glfwSetWindowTitle(window, title);
+        window.set_title(title);
     }
     return 0;
 }
