@@ -14,7 +14,8 @@ enum class PictureFit : std::uint8_t {
     cover,   ///< all of the view; what sticks out is cut off
 };
 
-/// An image or a video behind all surfaces of the view (PictureCoat says how it is drawn). The entity needs no place.
+/// An image, a video or numbered images behind all surfaces of the view (PictureCoat says how it is drawn). The entity
+/// needs no place.
 ///
 /// Its tone is what the eye sees as grey, from 0 black to 1 white: the linear luminance (Rec. 709: .2126 R + .7152 G +
 /// .0722 B) through sRGB's curve, cut to [0, 1]. So the tone of a grey pixel of an 8-bit file is its value / 255.
@@ -22,7 +23,10 @@ enum class PictureFit : std::uint8_t {
 /// white.
 ///
 /// A frame of a video follows from the time alone: at second t of the scene it is the one that the video shows at
-/// second time_offset + speed * t; before the first and past the last, these stand still unless it is a loop.
+/// second time_offset + speed * t; before the first and past the last, these stand still unless it is a loop. Numbered
+/// images ("shot.####.exr": those that are there, from the lowest number on) are a video of frames_per_second.
+///
+/// An EXR may say more than colours: normals and depth of what another renderer saw (docs/pictures.md).
 struct Picture {
     std::string file;
     bool visible = true;
@@ -30,13 +34,16 @@ struct Picture {
     float time_offset = 0.0f;
     float speed = 1.0f;
     bool loop = false;
+    float frames_per_second = 30.0f;
 
     friend bool operator==(const Picture&, const Picture&) = default;
 };
 
 inline void reflect(TypeBuilder<Picture>& type) {
-    type.name("picture").doc("an image or a video behind all surfaces");
-    type.field("file", &Picture::file).doc("the image or the video; empty for none").unit("image or video file");
+    type.name("picture").doc("an image, a video or numbered images behind all surfaces");
+    type.field("file", &Picture::file)
+        .doc("the image, the video, or numbered images as shot.####.exr; empty for none")
+        .unit("image or video file");
     type.field("visible", &Picture::visible).doc("is drawn");
     type.field("fit", &Picture::fit)
         .doc("how it fills the view: out of proportion, all of the picture, or all of the view")
@@ -47,6 +54,10 @@ inline void reflect(TypeBuilder<Picture>& type) {
         .range(-1e6, 1e6);
     type.field("speed", &Picture::speed).doc("seconds of the video in a second").range(0, 100);
     type.field("loop", &Picture::loop).doc("the video begins again at its end, else its last frame stays");
+    type.field("frames_per_second", &Picture::frames_per_second)
+        .doc("rate of numbered images; a video has its own")
+        .unit("1/s")
+        .range(1, 1000);
 }
 
 } // namespace hachure

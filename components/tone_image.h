@@ -34,7 +34,7 @@ struct ToneImage {
     ToneQuality quality = ToneQuality::standard;
     std::int32_t samples = 1;
     ToneStorage storage = ToneStorage::rg16;
-    ToneBlur blur = ToneBlur::separable;
+    ToneBlur blur = ToneBlur::recursive;
     ToneTaps taps = ToneTaps::weighted;
     std::int32_t iterations = 5;
 

@@ -11,7 +11,7 @@
 
 namespace hachure {
 
-/// What a file's ramp does with the material's colour.
+/// What tones do with the material's colour.
 enum class RampUse { multiply, replace };
 
 /// What the tone detail D of X-Toon follows (Barla et al. 2006, section 3). Detail is 1 where all is drawn, and 0 where
@@ -88,7 +88,7 @@ inline void reflect(TypeBuilder<Toon>& type) {
             "for full detail, the bottom row for none")
         .unit("image file");
     type.field("ramp_use", &Toon::ramp_use)
-        .doc("the ramp multiplies the material's colour, or replaces it")
+        .doc("the ramp, or light and shade where there is none, multiply the material's colour, or replace it")
         .options({"multiply", "replace"});
     type.field("detail", &Toon::detail)
         .doc("what the detail of tones follows: with less, tones merge and shade fades, or lower rows of the ramp show")

@@ -5,6 +5,7 @@
 #include <hachure/editor/open_input.h>
 #include <hachure/runtime/app/log.h>
 #include <hachure/runtime/assets/image_file.h>
+#include <hachure/runtime/assets/numbered_files.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/assets/video_file.h>
 #include <hachure/runtime/error.h>
@@ -66,7 +67,15 @@ void open_scene(App& app, const std::filesystem::path& input, Canvas canvas, con
     }
 }
 
-/// An image or a video is one entity, with the name of its file.
+/// "shot" of "shot.####.exr".
+std::string picture_name(const std::filesystem::path& input) {
+    const std::string stem = input.stem().string();
+    if (!assets::is_numbered_name(input)) return stem;
+    const std::size_t end = stem.substr(0, stem.find('#')).find_last_not_of("._- ");
+    return end == stem.npos ? stem : stem.substr(0, end + 1);
+}
+
+/// An image, a video or numbered images are one entity, with the name of the file.
 void open_picture(App& app, const std::filesystem::path& input, Canvas canvas, const OpenOptions& options) {
     if (options.clip && !options.clip->empty())
         throw Error(input.string(), "is a picture, which has no clips: --clip is for models");
@@ -78,7 +87,7 @@ void open_picture(App& app, const std::filesystem::path& input, Canvas canvas, c
     static_cast<void>(picture_size(input)); // a file without a header that can be read ends here
     World& world = app.world();
     world.set_resource(canvas);
-    world.create_with(Name{input.stem().string()}, Transform{}, Picture{.file = input.string()});
+    world.create_with(Name{picture_name(input)}, Transform{}, Picture{.file = input.string()});
     world.create_with(Name{"camera"}, Transform{}, Camera{}, Unsaved{});
     apply_style(world, app.types(), style);
     world.set_resource(SceneDocument{.style = name, .applied_style = name});
@@ -97,7 +106,8 @@ Canvas picture_size(const std::filesystem::path& input) {
         const assets::VideoFile video(input);
         return {video.width(), video.height()};
     }
-    const assets::ImageSize size = assets::read_upright_size(input);
+    const bool numbered = assets::is_numbered_name(input);
+    const assets::ImageSize size = assets::read_upright_size(numbered ? assets::NumberedFiles(input).file(0) : input);
     return {size.width, size.height};
 }
 

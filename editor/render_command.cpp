@@ -5,6 +5,7 @@
 #include <hachure/editor/frame_share.h>
 #include <hachure/editor/frame_stats.h>
 #include <hachure/editor/frame_walk.h>
+#include <hachure/editor/input_film.h>
 #include <hachure/editor/interrupt.h>
 #include <hachure/editor/open_input.h>
 #include <hachure/editor/playback_clock.h>
@@ -12,7 +13,8 @@
 #include <hachure/editor/render_outputs.h>
 #include <hachure/editor/usage_error.h>
 #include <hachure/runtime/app/progress.h>
-#include <hachure/runtime/assets/video_file.h>
+#include <hachure/runtime/assets/frame_pattern.h>
+#include <hachure/runtime/assets/frame_writer.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/parallel.h>
@@ -76,11 +78,23 @@ Canvas canvas_for(const RenderOptions& options) {
     return canvas;
 }
 
-/// A video's frames come at its own rate, unless another is asked for.
-FramePlan plan_for(const RenderOptions& options) {
+/// A film, or a picture for each frame.
+bool takes_all_frames(const std::filesystem::path& output) {
+    const auto format = assets::frame_format(output);
+    return (format && assets::is_film(*format)) || assets::count_number_fields(output) > 0;
+}
+
+/// Frames of a video or of numbered images come at their own rate, unless another is asked for, and all of them where
+/// the output takes them and none are asked for.
+FramePlan plan_for(const RenderOptions& options, std::span<const Assignment> assignments) {
     FramePlan plan = parse_frame_plan(options.frames, options.time, options.fps.empty() ? "30" : options.fps);
-    if (options.fps.empty() && assets::is_video_name(options.input))
-        plan.rate = assets::VideoFile(options.input).frame_rate().value_or(plan.rate);
+    const bool all = options.frames.empty() && options.time.empty() && takes_all_frames(options.output);
+    if (!all && !options.fps.empty()) return plan;
+    const std::optional<InputFilm> film = input_film(options.input, assignments);
+    if (!film) return plan;
+    const assets::FrameRate rate = options.fps.empty() ? film->rate : plan.rate;
+    if (all) plan = parse_frame_plan(fmt::format("0..{}", film->frames_at(rate) - 1), "", "30");
+    plan.rate = rate;
     return plan;
 }
 
@@ -179,11 +193,13 @@ void draw_frames(App& app, Renderer& renderer, const Work& work, const RenderOut
 
 void add_render_command(CLI::App& app, RenderOptions& options) {
     CLI::App* command =
-        app.add_subcommand("render", "Render a scene, a model, an image or a video in a style to a picture, "
-                                     "pictures or a film");
+        app.add_subcommand("render", "Render a scene, a model, an image, a video or numbered images in a style to a "
+                                     "picture, pictures or a film");
     command
-        ->add_option("INPUT", options.input,
-                     "a scene (.scene.json), a glTF, GLB, OBJ, PLY, OFF or STL file, an image or a video")
+        ->add_option(
+            "INPUT", options.input,
+            "a scene (.scene.json), a glTF, GLB, OBJ, PLY, OFF or STL file, an image, a video, or numbered images: "
+            "shot.####.exr")
         ->required();
     command
         ->add_option(
@@ -200,11 +216,13 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
     command->add_option("--backend", options.backend, "where the OpenGL context comes from: auto, egl, osmesa, glfw")
         ->capture_default_str();
     CLI::Option* frames = command->add_option(
-        "--frames", options.frames, "A..B: draw these frames, both included, or one: A; frame k shows second k / fps");
+        "--frames", options.frames,
+        "A..B: draw these frames, both included, or one: A; frame k shows second k / fps (default: all of a video or "
+        "of numbered images, where the output is a film or numbered, else frame 0)");
     command->add_option("--time", options.time, "S: draw the picture of second S (default: 0)")->excludes(frames);
     command->add_option("--fps", options.fps,
                         "frames per second, 1 to 1000: 25, 29.97, 30000/1001; a .gif's at most 50 (default: that of a "
-                        "video, else 30)");
+                        "video or of numbered images, else 30)");
     command->add_option("--clip", options.clip,
                         "NAME: the clip of the file that plays (default with --frames or --time: its first)");
     command
@@ -229,6 +247,7 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
                     "          hachure render bunny.obj -o bunny.svg --style lines\n"
                     "          hachure render fox.glb -o fox.mp4 --frames 0..119 --fps 30\n"
                     "          hachure render photo.jpg -o photo.png --style lines\n"
+                    "          hachure render shot.####.exr -o shot.mp4 --style lines --fps 24\n"
                     "          hachure render fox.glb -o fox.####.png --frames 0..119 --aov depth=depth.####.exr\n"
                     "          hachure render fox.glb -o fox.####.png --frames 0..119 --chunk 2/4 --resume");
 }
@@ -236,13 +255,13 @@ void add_render_command(CLI::App& app, RenderOptions& options) {
 int run_render(const RenderOptions& options) {
     if (!options.size.empty()) static_cast<void>(parse_size(options.size)); // wrong usage comes before wrong files
     const gpu::Backend backend = parse_backend(options.backend);
-    const FramePlan plan = plan_for(options);
     const RenderOutputs outputs{options.output, parse_aovs(options.aovs), options.stats};
     if (options.threads > 0) set_thread_limit(options.threads);
     std::unique_ptr<gpu::Context> context; // outlives the app, whose world owns GPU objects
     App app;
     register_capabilities(app);
     const std::vector<Assignment> assignments = parse_assignments(app.types(), options.sets);
+    const FramePlan plan = plan_for(options, assignments);
     if (!options.style.empty()) {
         check_style_name(options.style);
         static_cast<void>(find_style(app.types(), options.style)); // says what is wrong with it before all else

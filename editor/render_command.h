@@ -20,9 +20,9 @@ struct RenderOptions {
     std::vector<std::string> aovs; ///< NAME=FILE.exr
     std::vector<std::string> sets; ///< PATH=VALUE
     std::filesystem::path stats;
-    std::string frames; ///< A..B or A; empty: frame 0
+    std::string frames; ///< A..B or A; empty: frame 0, or all of a video where the output takes them
     std::string time;   ///< seconds; empty: as the frames say
-    std::string fps;    ///< empty: that of a video, else 30
+    std::string fps;    ///< empty: that of a video or of numbered images, else 30
     std::string clip;
     std::string chunk;   ///< I/N; empty: all frames
     bool resume = false; ///< keep the frames of a sequence that are there

@@ -9,6 +9,7 @@
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
+#include <hachure/systems/implicit_brush/implicit_brush.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/metal/metal.h>
 #include <hachure/systems/paper/paper.h>
@@ -41,6 +42,7 @@ void register_capabilities(App& app) {
     register_toon(app);
     register_edge_lines(app);
     register_abstracted_lines(app);
+    register_implicit_brush(app);
     register_paper(app);
     register_compose(app);
     register_velocity(app);

@@ -14,8 +14,9 @@ namespace hachure::assets {
 inline constexpr std::int64_t max_image_pixels = std::int64_t{1} << 27;
 
 /// Reads any still image that OpenImageIO knows (PNG, JPEG, EXR, HDR, TGA, ...). Integer files give u8, float files
-/// f32; more than four channels are cut to the first four. Colours of PNG files are
-/// not multiplied by alpha. Throws Error when the file can't be read or is too large.
+/// f32; more than four channels are cut to the first four. Colours of PNG files are not multiplied by alpha. An EXR
+/// gives f32: the colour that find_layers (image_layers.h) finds or, where there is none, its first channels, over its
+/// display window, 0 where the file has no pixels. Throws Error when the file can't be read or is too large.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
 
 /// The same from bytes in memory; `name` is used in errors and its extension, when it has one, as a hint.

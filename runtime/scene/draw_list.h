@@ -36,6 +36,7 @@ struct DrawItem {
     glm::vec3 tint{1.0f};
     std::uint32_t object_id = 0; ///< AOV `object_id`: 1 for the visible entity made first, and so on
     gpu::Rect rect;              ///< pixels that it can touch, cut to the view
+    float nearest = 1.0f;        ///< metres from the eye's plane to what of it can be nearest, above 0
     bool mirrored = false;       ///< the transform turns front faces round
 };
 

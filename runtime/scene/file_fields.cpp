@@ -1,4 +1,6 @@
 #include <hachure/runtime/assets/image_file.h>
+#include <hachure/runtime/assets/image_sequence.h>
+#include <hachure/runtime/assets/numbered_files.h>
 #include <hachure/runtime/assets/video_file.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/file_fields.h>
@@ -23,6 +25,9 @@ std::string file_fault(const FieldInfo& field, const std::filesystem::path& file
     try {
         if (field.unit == image_or_video && assets::is_video_name(file))
             static_cast<void>(assets::VideoFile(file).read_frame(0));
+        else if (field.unit == image_or_video && assets::is_numbered_name(file))
+            static_cast<void>(
+                assets::ImageSequence(file).read_frame(0, {.color = true, .normal = true, .depth = true}));
         else
             static_cast<void>(assets::read_image(file));
         return {};

@@ -1,7 +1,7 @@
 #version 450 core
 // A Gaussian along rows or columns as a recursive filter of third order, there and back, a line per invocation.
 // systems/abstracted_lines/recursive_gaussian.h says what the numbers are.
-// Defines: THERE_FORMAT and RESULT_FORMAT of the images.
+// Defines: THERE_FORMAT and RESULT_FORMAT of the images; CHANNELS, 2 or 4.
 layout(local_size_x = 32) in;
 
 layout(binding = 0) uniform sampler2D tones;
@@ -13,28 +13,49 @@ uniform ivec2 along; // to the next texel of a line
 uniform int lines;
 uniform int texels; // of a line
 uniform float gain;
-uniform vec3 feedback;
+uniform vec2 keep;
 uniform mat3 tail;
 
-// Beyond both ends everything is as the last texel is.
+#if CHANNELS == 2
+#define TONE vec2
+#define CHANNELS_OF(texel) texel.rg
+#define TEXEL_OF(tone) vec4(tone, 0.0, 1.0)
+#else
+#define TONE vec4
+#define CHANNELS_OF(texel) texel
+#define TEXEL_OF(tone) tone
+#endif
+
+// How far the result has come, and its last two differences.
+struct State {
+    TONE y, d, before;
+};
+
+void advance(inout State state, TONE tone) {
+    TONE d = gain * (tone - state.y) + keep.x * state.d + keep.y * state.before;
+    state = State(state.y + d, d, state.d);
+}
+
+// Where the way back begins. Beyond the end everything is as the last texel is.
+State turned(State state, TONE end) {
+    TONE y = state.y - end, d = state.d, before = state.before;
+    return State(end + tail[0].x * y + tail[1].x * d + tail[2].x * before,
+                 tail[0].y * y + tail[1].y * d + tail[2].y * before,
+                 tail[0].z * y + tail[1].z * d + tail[2].z * before);
+}
+
 void main() {
     int line = int(gl_GlobalInvocationID.x);
     if (line >= lines) return;
-    ivec2 start = first + line * along.yx;
-    vec4 a = texelFetch(tones, start, 0), b = a, c = a;
-    for (int i = 0; i < texels; ++i) {
-        ivec2 here = start + i * along;
-        vec4 y = gain * texelFetch(tones, here, 0) + feedback.x * a + feedback.y * b + feedback.z * c;
-        imageStore(there, here, y);
-        c = b, b = a, a = y;
+    ivec2 start = first + line * along.yx, last = start + (texels - 1) * along;
+    State state = State(CHANNELS_OF(texelFetch(tones, start, 0)), TONE(0.0), TONE(0.0));
+    for (ivec2 here = start; here != last + along; here += along) {
+        advance(state, CHANNELS_OF(texelFetch(tones, here, 0)));
+        imageStore(there, here, TEXEL_OF(state.y));
     }
-    vec4 end = texelFetch(tones, start + (texels - 1) * along, 0);
-    mat3x4 state = mat3x4(a - end, b - end, c - end) * transpose(tail);
-    a = state[0] + end, b = state[1] + end, c = state[2] + end;
-    for (int i = texels - 1; i >= 0; --i) {
-        ivec2 here = start + i * along;
-        vec4 y = gain * imageLoad(there, here) + feedback.x * a + feedback.y * b + feedback.z * c;
-        imageStore(result, here, y);
-        c = b, b = a, a = y;
+    state = turned(state, CHANNELS_OF(texelFetch(tones, last, 0)));
+    for (ivec2 here = last; here != start - along; here -= along) {
+        advance(state, CHANNELS_OF(imageLoad(there, here)));
+        imageStore(result, here, TEXEL_OF(state.y));
     }
 }

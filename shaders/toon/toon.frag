@@ -63,7 +63,7 @@ void main() {
     vec3 k_d = surface_color();
 
     vec3 color = tone_color(tone.sum, width, tone_detail(n, v));
-#ifndef RAMP_REPLACES
+#ifndef TONES_REPLACE
     color *= k_d;
 #endif
 #ifdef RIM

@@ -1,6 +1,8 @@
 #include <hachure/runtime/assert.h>
 #include <hachure/systems/abstracted_lines/recursive_gaussian.h>
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -32,16 +34,23 @@ double scale_for(double wanted) {
     return 0.5 * (low + high);
 }
 
-/// What comes back of one deviation from the end's value: the way there goes on until nothing is left of it.
-glm::dvec3 tail_of(const RecursiveGaussian& filter, glm::dvec3 state, int beyond) {
+/// The filter's state: how far the result is from x, and the last two differences.
+using State = glm::dvec3;
+
+State advanced(const RecursiveGaussian& filter, double sample, const State& state) {
+    const double d = filter.gain * (sample - state.x) + glm::dot(filter.keep, glm::dvec2(state.y, state.z));
+    return {state.x + d, d, state.y};
+}
+
+/// What comes back of a state at the end: the way there goes on until nothing is left of it.
+State tail_of(const RecursiveGaussian& filter, State state, int beyond) {
     std::vector<double> there;
     for (int n = 0; n < beyond; ++n) {
-        there.push_back(glm::dot(filter.feedback, state));
-        state = {there.back(), state.x, state.y};
+        state = advanced(filter, 0.0, state);
+        there.push_back(state.x);
     }
-    glm::dvec3 back(0.0);
-    for (std::size_t n = there.size(); n-- > 0;)
-        back = {filter.gain * there[n] + glm::dot(filter.feedback, back), back.x, back.y};
+    State back(0.0);
+    for (std::size_t n = there.size(); n-- > 0;) back = advanced(filter, there[n], back);
     return back;
 }
 
@@ -53,11 +62,11 @@ RecursiveGaussian recursive_gaussian(double deviation) {
     const Complex a = 1.0 / scaled(pair_pole, q);
     const double c = 1.0 / scaled(real_pole, q).real(), square = std::norm(a);
     RecursiveGaussian filter;
-    filter.feedback = {2.0 * a.real() + c, -(square + 2.0 * a.real() * c), square * c};
-    filter.gain = 1.0 - filter.feedback.x - filter.feedback.y - filter.feedback.z;
+    filter.keep = {square + 2.0 * a.real() * c - square * c, -square * c};
+    filter.gain = std::norm(1.0 - a) * (1.0 - c);
     const int beyond = static_cast<int>(20.0 * deviation) + 40;
     for (int i = 0; i < 3; ++i) {
-        glm::dvec3 unit(0.0);
+        State unit(0.0);
         unit[i] = 1.0;
         filter.tail[i] = tail_of(filter, unit, beyond);
     }

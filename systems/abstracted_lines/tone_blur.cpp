@@ -6,6 +6,7 @@ namespace {
 
 /// What is done for a kind: where its own way is no better, or cannot be had, the separable one.
 ToneBlur done_for(ToneBlur kind, double sigma) {
+    if (kind == ToneBlur::recursive && sigma < 1.0) return ToneBlur::separable; // steps of a stack: too small for poles
     if (kind == ToneBlur::half && halvings(sigma) == 0) return ToneBlur::separable;
     if (kind == ToneBlur::kawase && !fits_pyramid(sigma)) return ToneBlur::separable;
     return kind;

@@ -45,14 +45,15 @@ struct LineSweep {
         gpu::Program& program =
             render.shaders->program({.compute = "abstracted_lines/blur_recursive.comp",
                                      .defines = {{"THERE_FORMAT", image_format(texture(there).desc().format)},
-                                                 {"RESULT_FORMAT", image_format(texture(to).desc().format)}}});
+                                                 {"RESULT_FORMAT", image_format(texture(to).desc().format)},
+                                                 {"CHANNELS", std::to_string(texture(to).channels())}}});
         const int lines = rows ? rect.height : rect.width;
         program.set("first", glm::ivec2(rect.x, rect.y));
         program.set("along", rows ? glm::ivec2(1, 0) : glm::ivec2(0, 1));
         program.set("lines", lines);
         program.set("texels", rows ? rect.width : rect.height);
         program.set("gain", static_cast<float>(filter.gain));
-        program.set("feedback", glm::vec3(filter.feedback));
+        program.set("keep", glm::vec2(filter.keep));
         program.set("tail", glm::mat3(filter.tail));
         program.use();
         texture(from).bind(0);

@@ -11,7 +11,7 @@ ToneImage resolved(const ToneImage& wanted) {
         made = {};
         break;
     case ToneQuality::fast:
-        made = {.blur = ToneBlur::recursive, .taps = ToneTaps::square, .iterations = 4};
+        made = {.taps = ToneTaps::square, .iterations = 4};
         break;
     case ToneQuality::accurate:
         made = {.samples = 4, .taps = ToneTaps::wide, .iterations = 8};

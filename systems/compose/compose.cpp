@@ -6,8 +6,36 @@
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/compose/compose.h>
 
+#include <array>
+
 namespace hachure {
 namespace {
+
+struct BlankPass {
+    gpu::TextureHandle color;
+};
+
+/// Takes surfaces away, where lines are to stand alone: after all that looks at them, before paper and lines.
+void declare_blank(World& world) {
+    const Compose* compose = world.find<Compose>(world.resource<View>().camera);
+    if (!compose || compose->surfaces) return;
+    RenderContext& render = world.resource_mutable<RenderContext>();
+    gpu::FrameGraph& graph = render.graph;
+    const glm::vec4 background(compose->background, 1.0f);
+    graph.add_pass<BlankPass>(
+        "blank",
+        [&](gpu::PassBuilder& pass, BlankPass& data) {
+            data.color = pass.write(graph.find("color"));
+            graph.publish("color", data.color);
+            pass.depends_on(background);
+        },
+        [&render, background](const BlankPass& data, gpu::PassContext& pass) {
+            const gpu::Framebuffer& target = render.backend->framebuffer({pass.texture(data.color)});
+            target.bind();
+            gpu::apply({.viewport = {0, 0, target.width(), target.height()}, .srgb_write = true});
+            target.clear_color(0, std::array{background.r, background.g, background.b, background.a});
+        });
+}
 
 struct OverlayPass {
     gpu::TextureHandle layer, color;
@@ -108,13 +136,26 @@ void register_compose(App& app) {
     if (!app.world().find_resource<LineLayer>()) app.world().set_resource(LineLayer{});
     frame_requests(app.world())
         .known.push_back({"depth", "metres from the plane of the eye; 1e10 where nothing is drawn", {"Z"}});
+    app.add_system(Stage::render, "compose.blank", declare_blank)
+        .after("surface.passes")
+        .after("picture.pass")
+        .after("velocity.pass")
+        .after("gooch.pass")
+        .after("metal.pass")
+        .after("toon.pass")
+        .after("edge_lines.pass")
+        .after("abstracted_lines.pass")
+        .after("implicit_brush.pass")
+        .before("paper.pass");
     app.add_system(Stage::render, "compose.passes", declare_passes)
+        .after("compose.blank")
         .after("surface.passes")
         .after("gooch.pass")
         .after("metal.pass")
         .after("toon.pass")
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
+        .after("implicit_brush.pass")
         .after("paper.pass");
 }
 

@@ -163,7 +163,8 @@ void register_paper(App& app) {
         .after("toon.pass")
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
-        .before("velocity.pass");
+        .after("velocity.pass")
+        .after("implicit_brush.pass");
 }
 
 } // namespace hachure

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <memory>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace hachure {
 namespace {
@@ -24,8 +26,10 @@ PictureItem picture_item(const DrawPicture& drawn, const Picture& picture, const
     item.place = picture_place(picture.fit, file.width(), file.height(), view.width, view.height);
     item.rect = cut_to_view(item.place, view.width, view.height);
     item.frame = file.frame_at(picture, seconds);
+    item.has_normal = file.has_normal();
+    item.has_depth = file.has_depth();
     item.key = gpu::key_of(item.object_id, item.place.x, item.place.y, item.place.width, item.place.height, view.width,
-                           view.height, item.frame, std::string_view(picture.file));
+                           view.height, item.frame, item.has_normal, item.has_depth, std::string_view(picture.file));
     return item;
 }
 
@@ -49,6 +53,18 @@ void collect_pictures(Query<const Picture> pictures, const DrawList& drawn, cons
     list.key = key.value();
 }
 
+std::vector<AovInfo> picture_aovs() {
+    return {{"picture_tone",
+             "tone of pictures, from 0 black to 1 white, also behind surfaces; 1 where there is none",
+             {"tone"}},
+            {"picture_normal",
+             "unit normal that pictures say of what they show, also behind surfaces; 0 where there is none",
+             {"normal.X", "normal.Y", "normal.Z"}},
+            {"picture_depth",
+             "depth that pictures say of what they show, metres, also behind surfaces; 1e10 where there is none",
+             {"Z"}}};
+}
+
 } // namespace
 
 void register_picture(App& app) {
@@ -57,10 +73,7 @@ void register_picture(App& app) {
     app.world().set_resource(PictureFiles{});
     if (!app.world().find_resource<PictureList>()) app.world().set_resource(PictureList{});
     if (!app.world().find_resource<DrawList>()) app.world().set_resource(DrawList{});
-    frame_requests(app.world())
-        .known.push_back({"picture_tone",
-                          "tone of pictures, from 0 black to 1 white, also behind surfaces; 1 where there is none",
-                          {"tone"}});
+    for (AovInfo& aov : picture_aovs()) frame_requests(app.world()).known.push_back(std::move(aov));
     app.add_system(Stage::material, "picture.collect", collect_pictures).after("surface.collect");
     app.add_system(Stage::render, "picture.pass",
                    [passes = std::make_shared<PicturePasses>()](World& world) { passes->declare(world); })

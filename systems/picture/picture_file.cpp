@@ -1,22 +1,43 @@
-#include <hachure/runtime/assets/image_file.h>
-#include <hachure/runtime/error.h>
+#include <hachure/runtime/app/log.h>
+#include <hachure/runtime/assets/frame_pattern.h>
 #include <hachure/systems/picture/picture_file.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace hachure {
 namespace {
 
-void check_finite(const assets::Image& image, const std::string& file) {
-    if (image.type != assets::PixelType::f32) return;
-    const std::span values(image.f32(), image.pixels.size() / sizeof(float));
-    const auto wrong = std::ranges::find_if(values, [](float value) { return !std::isfinite(value); });
-    if (wrong == values.end()) return;
-    const auto pixel = (wrong - values.begin()) / image.channels;
-    throw Error(file, "has values that are not finite",
-                "column " + std::to_string(pixel % image.width) + ", row " + std::to_string(pixel / image.width));
+/// Of a frame's length, so that a moment just before a frame, as rounding leaves it, is in it (VideoFile::frame_at).
+constexpr double given_frames = 0.1;
+
+int video_frame_at(const assets::VideoFile& video, const Picture& picture, double time) {
+    if (!picture.loop) return video.frame_at(time);
+    const double given = given_frames / (video.frames_per_second() > 0.0 ? video.frames_per_second() : 30.0);
+    const double length = video.duration();
+    return video.frame_at(time - length * std::floor((time + given) / length));
+}
+
+int sequence_frame_at(const assets::ImageSequence& sequence, const Picture& picture, double time) {
+    const double count = sequence.files().frame_count();
+    double frame = std::floor(time * double(picture.frames_per_second) + given_frames);
+    if (picture.loop) frame -= count * std::floor(frame / count);
+    return sequence.files().shown_frame(static_cast<int>(std::clamp(frame, 0.0, count - 1.0)));
+}
+
+/// The lowest number that is missing, of files that lack some.
+std::int64_t first_missing(const assets::NumberedFiles& files) {
+    const auto gap = std::ranges::adjacent_find(files.numbers(), [](auto a, auto b) { return b > a + 1; });
+    return *gap + 1;
+}
+
+void warn_of_missing(const assets::NumberedFiles& files) {
+    const std::string first = assets::frame_file(files.pattern(), first_missing(files)).filename().string();
+    log_warning(fmt::format("{}: frames that are missing ({} of {}, {}{}) show the one before",
+                            files.pattern().string(), files.missing(), files.frame_count(), first,
+                            files.missing() == 1 ? "" : " the first"));
 }
 
 } // namespace
@@ -24,35 +45,35 @@ void check_finite(const assets::Image& image, const std::string& file) {
 PictureFile::PictureFile(const std::string& file) : file_(file) {
     if (assets::is_video_name(file)) {
         video_.emplace(file);
-        width_ = video_->width();
-        height_ = video_->height();
+        info_.size = {video_->width(), video_->height()};
+    } else if (assets::is_numbered_name(file)) {
+        info_ = sequence_.emplace(file).info();
     } else {
-        const assets::ImageSize size = assets::read_upright_size(file);
-        width_ = size.width;
-        height_ = size.height;
+        info_ = assets::read_image_info(file);
     }
 }
 
 int PictureFile::frame_at(const Picture& picture, double seconds) const {
-    if (!video_) return 0;
     const double time = double(picture.time_offset) + double(picture.speed) * seconds;
-    if (!picture.loop) return video_->frame_at(time);
-    // As in VideoFile::frame_at, so that a moment just before the end, as rounding leaves it, is the beginning.
-    const double given = 0.1 / (video_->frames_per_second() > 0.0 ? video_->frames_per_second() : 30.0);
-    const double length = video_->duration();
-    return video_->frame_at(time - length * std::floor((time + given) / length));
+    if (video_) return video_frame_at(*video_, picture, time);
+    return sequence_ ? sequence_frame_at(*sequence_, picture, time) : 0;
 }
 
-assets::Image PictureFile::read(int frame) {
-    assets::Image image = video_ ? video_->read_frame(frame) : assets::read_upright_image(file_);
-    check_finite(image, file_);
+assets::LayeredImage PictureFile::read(int frame, assets::WantedLayers wanted) {
+    if (sequence_) return sequence_->read_frame(frame, wanted);
+    if (!video_) return assets::read_layers(file_, wanted);
+    assets::LayeredImage image;
+    if (wanted.color) image.color = video_->read_frame(frame);
     return image;
 }
 
 PictureFile& PictureFiles::open(Entity entity, const std::string& file) {
     const auto found = files.find(entity);
     if (found != files.end() && found->second.file() == file) return found->second;
-    return files.insert_or_assign(entity, PictureFile(file)).first->second;
+    PictureFile& opened = files.insert_or_assign(entity, PictureFile(file)).first->second;
+    const assets::NumberedFiles* numbered = opened.numbered();
+    if (numbered && numbered->missing() > 0 && warned.insert(file).second) warn_of_missing(*numbered);
+    return opened;
 }
 
 } // namespace hachure

@@ -48,6 +48,28 @@ void set_coat(gpu::Program& program, const PictureCoat& coat) {
     program.set("shade", encoded(coat.shade));
 }
 
+/// The texture that others read a layer from.
+struct LayerTexture {
+    const char* name;
+    gpu::Format format;
+    std::array<float, 4> nothing; ///< beside pictures, and where one lacks the layer
+    const char* fragment;
+    gpu::Blend blend;
+};
+
+constexpr std::array<LayerTexture, 4> layer_textures{{
+    {"picture_tone", gpu::Format::rg32f, {1.0f, 0.0f, 0.0f, 0.0f}, "picture/mean.frag", gpu::Blend::off},
+    {"picture_color", gpu::Format::rgba16f, {}, "picture/mean.frag", gpu::Blend::premultiplied},
+    {"picture_normal", gpu::Format::rgba32f, {}, "picture/nearest.frag", gpu::Blend::off},
+    {"picture_depth", gpu::Format::r32f, {assets::no_depth, 0.0f, 0.0f, 0.0f}, "picture/nearest.frag", gpu::Blend::off},
+}};
+
+constexpr std::size_t index_of(PictureLayer layer) { return static_cast<std::size_t>(layer); }
+
+bool has(const PictureItem& item, PictureLayer layer) {
+    return layer == PictureLayer::normal ? item.has_normal : layer != PictureLayer::depth || item.has_depth;
+}
+
 struct BasePass {
     gpu::TextureHandle color, depth_buffer, object_id, code;
 };
@@ -78,14 +100,18 @@ void PicturePasses::declare(World& world) {
     textures_.forget_all_but(list);
     if (list.items.empty()) return;
     const FrameRequests& requests = world.resource<FrameRequests>();
-    const bool tone = requests.wants("picture_tone"), color = requests.wants("picture_color");
+    PictureLayers wanted{};
+    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = requests.wants(layer_textures[i].name);
     for (const PictureItem& item : list.items) {
         const PictureCoat coat = coat_of(world, item.entity);
-        textures_.want(item, color || shows_color(coat), tone || shows_tone(coat));
+        PictureLayers of_item = wanted;
+        of_item[index_of(PictureLayer::tone)] |= shows_tone(coat);
+        of_item[index_of(PictureLayer::color)] |= shows_color(coat);
+        textures_.want(item, of_item);
     }
     declare_base(world);
-    if (tone) declare_texture(world, "picture_tone", gpu::Format::rg32f, true);
-    if (color) declare_texture(world, "picture_color", gpu::Format::rgba16f, false);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i]) declare_layer(world, static_cast<PictureLayer>(i));
 }
 
 /// Behind the surfaces: only where the depth is still that of the far plane, which is where a full-screen triangle
@@ -115,8 +141,10 @@ void PicturePasses::declare_base(World& world) {
                 set_place(program, item, file);
                 set_coat(program, coat);
                 program.set("object_id", item.object_id);
-                if (shows_color(coat)) textures_.color(*render.context, file, item).bind(color_unit);
-                if (shows_tone(coat)) textures_.tone(*render.context, file, item).bind(tone_unit);
+                if (shows_color(coat))
+                    textures_.texture(PictureLayer::color, *render.context, file, item).bind(color_unit);
+                if (shows_tone(coat))
+                    textures_.texture(PictureLayer::tone, *render.context, file, item).bind(tone_unit);
                 gpu::apply({.viewport = {0, 0, view.width, view.height},
                             .scissor = item.rect,
                             .depth_test = gpu::DepthTest::equal,
@@ -128,36 +156,38 @@ void PicturePasses::declare_base(World& world) {
         });
 }
 
-void PicturePasses::declare_texture(World& world, const char* name, gpu::Format format, bool is_tone) {
+void PicturePasses::declare_layer(World& world, PictureLayer layer) {
     struct Data {
         gpu::TextureHandle texture;
     };
     RenderContext& render = world.resource_mutable<RenderContext>();
     const View& view = world.resource<View>();
+    const LayerTexture& made = layer_textures[index_of(layer)];
     render.graph.add_pass<Data>(
-        name,
+        made.name,
         [&](gpu::PassBuilder& pass, Data& data) {
-            data.texture = pass.create(name, {view.width, view.height, format});
-            render.graph.publish(name, data.texture);
+            data.texture = pass.create(made.name, {view.width, view.height, made.format});
+            render.graph.publish(made.name, data.texture);
             pass.depends_on(world.resource<PictureList>().key, render.shaders->generation());
         },
-        [this, &world, &render, is_tone](const Data& data, gpu::PassContext& pass) {
+        [this, &world, &render, &made, layer](const Data& data, gpu::PassContext& pass) {
             const gpu::TextureDesc& desc = pass.desc(data.texture);
+            const gpu::Rect viewport{0, 0, desc.width, desc.height};
             const gpu::Framebuffer& framebuffer = render.backend->framebuffer({pass.texture(data.texture)});
             framebuffer.bind();
-            gpu::apply({.viewport = {0, 0, desc.width, desc.height}});
-            framebuffer.clear_color(0, std::array{is_tone ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f});
+            gpu::apply({.viewport = viewport});
+            framebuffer.clear_color(0, made.nothing);
             gpu::Program& program =
-                render.shaders->program({.vertex = vertex, .fragment = "picture/mean.frag", .defines = {}});
+                render.shaders->program({.vertex = vertex, .fragment = made.fragment, .defines = {}});
             for (const PictureItem& item : world.resource<PictureList>().items) {
+                gpu::apply({.viewport = viewport, .scissor = item.rect, .blend = made.blend});
+                if (!has(item, layer)) {
+                    framebuffer.clear_color(0, made.nothing);
+                    continue;
+                }
                 PictureFile& file = world.resource_mutable<PictureFiles>().files.at(item.entity);
-                const gpu::Texture& source = is_tone ? textures_.tone(*render.context, file, item)
-                                                     : textures_.color(*render.context, file, item);
+                textures_.texture(layer, *render.context, file, item).bind(0);
                 set_place(program, item, file);
-                source.bind(0);
-                gpu::apply({.viewport = {0, 0, desc.width, desc.height},
-                            .scissor = item.rect,
-                            .blend = is_tone ? gpu::Blend::off : gpu::Blend::premultiplied});
                 program.use();
                 render.full_screen.draw();
             }

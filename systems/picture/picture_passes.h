@@ -6,15 +6,15 @@
 
 namespace hachure {
 
-/// Declares the passes of pictures: `picture` draws them behind the surfaces, `picture_tone` and `picture_color` make
-/// the textures of these names for whoever asked.
+/// Declares the passes of pictures: `picture` draws them behind the surfaces; `picture_tone`, `picture_color`,
+/// `picture_normal` and `picture_depth` make the textures of these names for whoever asked.
 class PicturePasses {
 public:
     void declare(World& world);
 
 private:
     void declare_base(World& world);
-    void declare_texture(World& world, const char* name, gpu::Format format, bool is_tone);
+    void declare_layer(World& world, PictureLayer layer);
 
     PictureTextures textures_;
 };

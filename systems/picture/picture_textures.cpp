@@ -40,6 +40,37 @@ void upload_tone(gpu::Texture& texture, const assets::Image& image) {
     texture.upload(std::span<const float>(picture_tones(image)));
 }
 
+/// Alpha says whether there is one.
+void upload_normal(gpu::Texture& texture, const assets::Image& image) {
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    std::vector<float> values(4 * pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const float* normal = image.f32() + 3 * i;
+        std::copy_n(normal, 3, values.data() + 4 * i);
+        values[4 * i + 3] = normal[0] != 0.0f || normal[1] != 0.0f || normal[2] != 0.0f ? 1.0f : 0.0f;
+    }
+    shape(texture, image.width, image.height, gpu::Format::rgba32f, "picture normal");
+    texture.upload(std::span<const float>(values));
+}
+
+void upload_depth(gpu::Texture& texture, const assets::Image& image) {
+    shape(texture, image.width, image.height, gpu::Format::r32f, "picture depth");
+    texture.upload(std::span(image.f32(), image.pixels.size() / sizeof(float)));
+}
+
+void upload(gpu::Texture& texture, PictureLayer layer, const assets::LayeredImage& image) {
+    switch (layer) {
+    case PictureLayer::tone:
+        return upload_tone(texture, *image.color);
+    case PictureLayer::color:
+        return upload_color(texture, *image.color);
+    case PictureLayer::normal:
+        return upload_normal(texture, *image.normal);
+    case PictureLayer::depth:
+        return upload_depth(texture, *image.depth);
+    }
+}
+
 void check_size(const gpu::Context& context, const PictureFile& file) {
     const int limit = context.limits().max_texture_size;
     if (file.width() > limit || file.height() > limit)
@@ -47,39 +78,40 @@ void check_size(const gpu::Context& context, const PictureFile& file) {
                                              file.width(), file.height(), limit));
 }
 
+constexpr std::size_t at(PictureLayer layer) { return static_cast<std::size_t>(layer); }
+
 } // namespace
 
-void PictureTextures::want(const PictureItem& item, bool color, bool tone) {
-    Frame& frame = frames_[item.entity];
-    frame.wants_color = color;
-    frame.wants_tone = tone;
+void PictureTextures::want(const PictureItem& item, const PictureLayers& layers) {
+    frames_[item.entity].wanted = layers;
 }
 
-PictureTextures::Frame& PictureTextures::frame(const gpu::Context& context, PictureFile& file,
-                                               const PictureItem& item) {
+void PictureTextures::complete(Frame& frame, const gpu::Context& context, PictureFile& file, const PictureItem& item) {
+    const PictureLayers there{true, true, file.has_normal(), file.has_depth()};
+    PictureLayers missing{};
+    for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = frame.wanted[i] && there[i] && !frame.read[i];
+    check_size(context, file);
+    const assets::LayeredImage image =
+        file.read(item.frame, {.color = missing[at(PictureLayer::tone)] || missing[at(PictureLayer::color)],
+                               .normal = missing[at(PictureLayer::normal)],
+                               .depth = missing[at(PictureLayer::depth)]});
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        if (!missing[i]) continue;
+        upload(frame.textures[i], static_cast<PictureLayer>(i), image);
+        frame.read[i] = true;
+    }
+}
+
+const gpu::Texture& PictureTextures::texture(PictureLayer layer, const gpu::Context& context, PictureFile& file,
+                                             const PictureItem& item) {
     Frame& frame = frames_[item.entity];
-    if (frame.frame != item.frame || frame.file != file.file()) {
-        frame.has_color = frame.has_tone = false;
-        frame.frame = item.frame;
+    if (frame.number != item.frame || frame.file != file.file()) {
+        frame.read = {};
+        frame.number = item.frame;
         frame.file = file.file();
     }
-    const bool color = frame.wants_color && !frame.has_color, tone = frame.wants_tone && !frame.has_tone;
-    if (!color && !tone) return frame;
-    check_size(context, file);
-    const assets::Image image = file.read(item.frame);
-    if (color) upload_color(frame.color, image);
-    if (tone) upload_tone(frame.tone, image);
-    frame.has_color = frame.has_color || color;
-    frame.has_tone = frame.has_tone || tone;
-    return frame;
-}
-
-const gpu::Texture& PictureTextures::color(const gpu::Context& context, PictureFile& file, const PictureItem& item) {
-    return frame(context, file, item).color;
-}
-
-const gpu::Texture& PictureTextures::tone(const gpu::Context& context, PictureFile& file, const PictureItem& item) {
-    return frame(context, file, item).tone;
+    if (!frame.read[at(layer)]) complete(frame, context, file, item);
+    return frame.textures[at(layer)];
 }
 
 void PictureTextures::forget_all_but(const PictureList& list) {

@@ -1,6 +1,8 @@
 #include <hachure/components/camera.h>
 #include <hachure/components/light.h>
+#include <hachure/components/name.h>
 #include <hachure/components/picture.h>
+#include <hachure/components/scene.h>
 #include <hachure/components/surface.h>
 #include <hachure/runtime/assets/json_text.h>
 #include <hachure/runtime/assets/text_file.h>
@@ -55,13 +57,14 @@ public:
                 style.picture.push_back(component);
         style.camera = components(document, "camera");
         style.light = components(document, "light");
+        style.parts = parts(document);
         return style;
     }
 
 private:
     static bool is_known(std::string_view key) {
-        constexpr std::array<std::string_view, 7> keys{"camera", "doc",     "hachure_style", "light",
-                                                       "name",   "picture", "surface"};
+        constexpr std::array<std::string_view, 8> keys{"camera", "doc",   "hachure_style", "light",
+                                                       "name",   "parts", "picture",       "surface"};
         return std::ranges::find(keys, key) != keys.end();
     }
 
@@ -70,20 +73,48 @@ private:
     }
 
     std::vector<StyleComponent> components(const json& style, const char* kind) {
-        std::vector<StyleComponent> result;
-        const std::string pointer = std::string("/") + kind;
         const auto found = style.find(kind);
-        if (found == style.end()) return result;
-        if (!found->is_object()) {
+        if (found == style.end()) return {};
+        return components_in(*found, std::string("/") + kind);
+    }
+
+    std::vector<StyleComponent> components_in(const json& said, const std::string& pointer) {
+        std::vector<StyleComponent> result;
+        if (!said.is_object()) {
             fault(pointer, "the components of a style are an object");
             return result;
         }
-        for (const auto& [name, fields] : found->items()) {
+        for (const auto& [name, fields] : said.items()) {
             const TypeInfo* type = types_.find(name);
             if (!type)
                 fault(pointer + "/" + name, "there is no component '" + name.substr(0, 60) + "'");
             else
                 result.push_back({type, fields_of(*type, fields, pointer + "/" + name)});
+        }
+        return result;
+    }
+
+    std::vector<StylePart> parts(const json& style) {
+        std::vector<StylePart> result;
+        const auto found = style.find("parts");
+        if (found == style.end()) return result;
+        if (!found->is_array()) {
+            fault("/parts", "the parts of a style are an array of entities");
+            return result;
+        }
+        for (std::size_t i = 0; i < found->size(); ++i) {
+            json part = (*found)[i];
+            const std::string pointer = "/parts/" + std::to_string(i);
+            StylePart& made = result.emplace_back();
+            made.name = "part " + std::to_string(i + 1);
+            if (part.is_object() && part.contains("name")) {
+                if (part["name"].is_string())
+                    made.name = part["name"].get<std::string>();
+                else
+                    fault(pointer + "/name", "the name of a part is a text");
+                part.erase("name");
+            }
+            made.components = components_in(part, pointer);
         }
         return result;
     }
@@ -139,6 +170,27 @@ void add_components(World& world, Entity entity, std::span<const StyleComponent>
     apply_model_extras(world, entity);
 }
 
+/// On entities that a style put below a camera.
+struct OfStyle {
+    static constexpr auto storage = Storage::sparse;
+};
+
+/// What a camera carries, and what the view has besides, instead of what another style put there.
+void dress_camera(World& world, Entity camera, const Style& style) {
+    add_components(world, camera, style.camera);
+    std::vector<Entity> old;
+    for (const Entity child : world.children(camera))
+        if (world.has<OfStyle>(child)) old.push_back(child);
+    for (const Entity entity : old) world.destroy(entity);
+    for (const StylePart& part : style.parts) {
+        const Entity entity = world.create_with(Name{part.name});
+        world.add(entity, OfStyle{});
+        world.add(entity, Unsaved{});
+        world.set_parent(entity, camera);
+        add_components(world, entity, part.components);
+    }
+}
+
 template <class C> std::vector<Entity> entities_with(const World& world) {
     std::vector<Entity> result;
     world.query<With<C>>().each([&result](Entity entity) { result.push_back(entity); });
@@ -178,19 +230,21 @@ void apply_style(World& world, const TypeRegistry& types, const Style& style) {
     for (const Entity entity : types.find("surface")->entities(world)) add_components(world, entity, style.surface);
     if (const TypeInfo* pictures = types.find("picture"))
         for (const Entity entity : pictures->entities(world)) add_components(world, entity, style.picture);
-    for (const Entity entity : types.find("camera")->entities(world)) add_components(world, entity, style.camera);
+    for (const Entity entity : types.find("camera")->entities(world)) dress_camera(world, entity, style);
     for (const Entity entity : entities_with<DefaultLight>(world)) add_components(world, entity, style.light);
 }
 
 void apply_style(World& world, const Style& style, Entity root) {
+    std::vector<Entity> cameras;
     const auto apply = [&](Entity entity) {
         if (world.has<Surface>(entity)) add_components(world, entity, style.surface);
         if (world.has<Picture>(entity)) add_components(world, entity, style.picture);
-        if (world.has<Camera>(entity)) add_components(world, entity, style.camera);
+        if (world.has<Camera>(entity)) cameras.push_back(entity);
         if (world.has<DefaultLight>(entity)) add_components(world, entity, style.light);
     };
     apply(root);
     world.for_each_descendant(root, apply);
+    for (const Entity camera : cameras) dress_camera(world, camera, style);
 }
 
 } // namespace hachure

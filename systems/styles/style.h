@@ -20,16 +20,24 @@ struct StyleComponent {
     FieldValues fields;   ///< the others keep their defaults
 };
 
-/// A look, as data: what every surface carries, what every picture and the camera do, and where light comes from by
-/// itself. A preset file is JSON:
+/// An entity of its own that a style puts below each camera.
+struct StylePart {
+    std::string name; ///< as Name has it
+    std::vector<StyleComponent> components;
+};
+
+/// A look, as data: what every surface carries, what every picture and the camera do, what else there is in the view,
+/// and where light comes from by itself. A preset file is JSON:
 ///
 ///     { "hachure_style": 1, "name": "mine", "doc": "one line",
 ///       "surface": { "gooch": { "b": 0.55, "y": 0.3 }, "edge_lines": { "width": 1.5 } },
 ///       "picture": { "picture_coat": { "show": "bands" } },
 ///       "camera": { "compose": { "background": [1, 1, 1] } },
+///       "parts": [ { "name": "folds", "implicit_brush": { "feature": "valleys" } } ],
 ///       "light": { "transform": { "rotation": [0, 0, 0, 1] }, "light": { "rig": "camera" } } }
 ///
-/// Pictures also take what "surface" says and means something on them (abstracted_lines, picture_coat); "picture" comes
+/// "parts" are entities below each camera, in order, for what a view has several of; they are gone when another style
+/// comes. Pictures also take what "surface" says and means something on them (abstracted_lines, picture_coat); "picture" comes
 /// before it. "light" is for the light of scenes that bring none (DefaultLight); others have been lit by who made them.
 struct Style {
     std::string name;
@@ -37,6 +45,7 @@ struct Style {
     std::vector<StyleComponent> surface;
     std::vector<StyleComponent> picture; ///< all that pictures take; empty: the style is for surfaces alone
     std::vector<StyleComponent> camera;
+    std::vector<StylePart> parts; ///< below each camera
     std::vector<StyleComponent> light;
 };
 

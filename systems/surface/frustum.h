@@ -6,6 +6,9 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <algorithm>
+#include <limits>
+
 namespace hachure {
 
 /// Whether a box in the world lies wholly on the outer side of one of the planes of the view; with reversed depth, what
@@ -40,6 +43,16 @@ namespace hachure {
     const glm::ivec2 first(glm::floor((glm::clamp(low, -1.0f, 1.0f) * 0.5f + 0.5f) * size));
     const glm::ivec2 last(glm::ceil((glm::clamp(high, -1.0f, 1.0f) * 0.5f + 0.5f) * size));
     return {first.x, first.y, last.x - first.x, last.y - first.y};
+}
+
+/// Metres from the eye's plane to the nearest corner of a box in the world; those behind the near plane count as on it.
+[[nodiscard]] inline float nearest_depth(const geometry::Bounds& bounds, const View& view) {
+    float nearest = std::numeric_limits<float>::max();
+    for (int i = 0; i < 8; ++i)
+        nearest = std::min(nearest, -(view.view_from_world * glm::vec4(bounds.corner(i), 1.0f)).z);
+    // Reversed depth: where the near plane is, clip z and w are the same.
+    const float near_plane = view.clip_from_view[3][2] / (1.0f + view.clip_from_view[2][2]);
+    return std::max({nearest, view.eye.w > 0.0f ? near_plane : nearest, 1e-6f});
 }
 
 } // namespace hachure

@@ -72,6 +72,7 @@ std::vector<DrawItem> visible_items(const PlacedSurfaces& surfaces, const View& 
         const geometry::Bounds bounds = transformed(own_bounds, item.world_from_entity);
         if (outside_frustum(bounds, view.clip_from_world)) continue;
         item.rect = screen_rect(bounds, view);
+        item.nearest = nearest_depth(bounds, view);
         visible.push_back(item);
     }
     return visible;

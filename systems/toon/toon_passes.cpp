@@ -45,8 +45,8 @@ void add_defines(const World& world, Entity entity, std::vector<gpu::ShaderDefin
         if (toon.softness > 0.0f) defines.push_back({"SOFT", ""});
     } else {
         defines.push_back({"RAMP", ""});
-        if (toon.ramp_use == RampUse::replace) defines.push_back({"RAMP_REPLACES", ""});
     }
+    if (toon.ramp_use == RampUse::replace) defines.push_back({"TONES_REPLACE", ""});
     if (toon.rim > 0.0f) defines.push_back({"RIM", ""});
     if (toon.specular > 0.0f) defines.push_back({"SPECULAR", ""});
     if (!abstracted_normals_of(world, entity, toon)) return;

@@ -4,12 +4,14 @@
 #include <hachure/runtime/error.h>
 #include <hachure/tests/benchmarks/abstracted_lines_case.h>
 #include <hachure/tests/benchmarks/abstracted_lines_chart.h>
+#include <hachure/tests/benchmarks/abstracted_lines_front.h>
 #include <hachure/tests/benchmarks/bench_report.h>
 
 #include <array>
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -67,6 +69,26 @@ void report_accuracy(bench::Report& report, RenderContext& render, bool quick) {
         }
 }
 
+/// No choice of the knobs is cheaper than a preset and as accurate.
+void report_front(bench::Report& report, gpu::Context& context, RenderContext& render, const bench::SceneTones& tones,
+                  bool quick) {
+    bench::LineMeter meter(context, render, tones, quick);
+    const std::vector<bench::Choice> choices = bench::measured_choices(meter);
+    for (std::size_t i = 0; i < bench::presets().size(); ++i) {
+        const bench::Choice& preset = choices[i];
+        report.add(preset.name + ": tone image, blur and lines", preset.ms, "ms/Mpx");
+        report.add(preset.name + ": place, RMS", preset.place, "px");
+        report.add(preset.name + ": place of bars as they are drawn, RMS", preset.drawn, "px");
+        int better = 0;
+        for (const bench::Choice& other : choices) {
+            if (!other.beats(preset)) continue;
+            ++better;
+            report.add("  cheaper, and as accurate: " + other.name, other.ms, "ms/Mpx");
+        }
+        report.add_limited(preset.name + ": cheaper choices that are as accurate", better, "", 0.0);
+    }
+}
+
 int run(int argc, char** argv) {
     if (argc >= 3 && std::string_view(argv[1]) == "--chart") {
         bench::write_abstracted_lines_chart(argv[2], argc == 4 && std::string_view(argv[3]) == "--quick");
@@ -81,6 +103,7 @@ int run(int argc, char** argv) {
     report_cost(report, render, tones, arguments.quick);
     report_frames(report, *context, render, tones, arguments);
     report_accuracy(report, render, arguments.quick);
+    report_front(report, *context, render, tones, arguments.quick);
     return report.finish();
 }
 

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <limits>
 
 namespace hachure::bench {
 namespace {
@@ -77,7 +79,15 @@ private:
     Entity camera_;
 };
 
-/// An AOV of one channel, rows from the bottom.
+double timed(const auto& work) {
+    const double start = now_ms();
+    work();
+    gpu::gl().Finish();
+    return now_ms() - start;
+}
+
+} // namespace
+
 test::Tones tones_of(const assets::Image& image) {
     test::Tones tones(image.width, image.height);
     const float* pixels = image.f32();
@@ -89,15 +99,6 @@ test::Tones tones_of(const assets::Image& image) {
                                    static_cast<std::size_t>(x))];
     return tones;
 }
-
-double timed(const auto& work) {
-    const double start = now_ms();
-    work();
-    gpu::gl().Finish();
-    return now_ms() - start;
-}
-
-} // namespace
 
 SceneTones scene_tones(gpu::Context& context, const std::filesystem::path& model, bool quick) {
     Stage stage(context, model, quick);
@@ -131,6 +132,24 @@ FrameCost frame_cost(gpu::Context& context, const std::filesystem::path& model, 
         return median(differences);
     };
     return {added(false), added(true)};
+}
+
+std::vector<double> tone_costs(gpu::Context& context, const std::vector<int>& samples, int rounds, bool quick) {
+    Stage stage(context, {}, quick);
+    stage.draw_lines(true);
+    stage.world().add(stage.camera(), ToneImage{});
+    std::vector<double> least(samples.size(), std::numeric_limits<double>::max());
+    for (int i = -1; i < rounds; ++i)
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            stage.world().get_mutable<ToneImage>(stage.camera()) = {.quality = ToneQuality::custom,
+                                                                    .samples = samples[k]};
+            stage.turn(0.4f + 1e-4f * static_cast<float>(i)); // or the pass keeps its result
+            stage.renderer().render_frame();
+            stage.renderer().finish();
+            for (const gpu::PassStats& pass : stage.renderer().pass_stats())
+                if (pass.name == "tone" && i >= 0) least[k] = std::min(least[k], pass.gpu_ms.value_or(pass.cpu_ms));
+        }
+    return least;
 }
 
 NineFetches::NineFetches(int width, int height)
@@ -167,22 +186,67 @@ void NineFetches::run() const {
     full_screen_.draw();
 }
 
+namespace {
+
+/// A finding that is ready to be timed.
+class TimedFinding {
+public:
+    TimedFinding(RenderContext& render, const Finding& finding, const SceneTones& tones)
+        : steps_(render, lines_of(finding), finding.quality, tones.diffuse.width, tones.diffuse.height) {
+        steps_.confine(tones.rects);
+        steps_.upload(tones.diffuse, &tones.specular);
+    }
+
+    double blur_ms() {
+        return timed([&] { steps_.blur(); });
+    }
+    double lines_ms() {
+        return timed([&] { steps_.search(LineOutput::layer); });
+    }
+
+private:
+    static AbstractedLines lines_of(const Finding& finding) {
+        AbstractedLines lines;
+        lines.width = static_cast<float>(finding.width), lines.beta = finding.beta;
+        return lines;
+    }
+
+    test::LineFinding steps_;
+};
+
+} // namespace
+
 Cost cost_of(RenderContext& render, const Finding& finding, const SceneTones& tones, int rounds) {
-    AbstractedLines lines;
-    lines.width = static_cast<float>(finding.width), lines.beta = finding.beta;
-    test::LineFinding steps(render, lines, finding.quality, tones.diffuse.width, tones.diffuse.height);
-    steps.confine(tones.rects);
-    steps.upload(tones.diffuse, &tones.specular);
+    TimedFinding steps(render, finding, tones);
     const NineFetches floor(tones.diffuse.width, tones.diffuse.height);
     std::vector<double> blur, search, fetches;
     for (int i = -2; i < rounds; ++i) {
         const double a = timed([&] { floor.run(); });
-        const double b = timed([&] { steps.blur(); });
-        const double c = timed([&] { steps.search(LineOutput::layer); });
+        const double b = steps.blur_ms(), c = steps.lines_ms();
         if (i < 0) continue; // programs are compiled
         fetches.push_back(a), blur.push_back(b), search.push_back(c);
     }
     return {median(blur), median(search), median(fetches)};
+}
+
+std::vector<Cost> costs_of(RenderContext& render, const std::vector<Finding>& findings, const SceneTones& tones,
+                           int rounds) {
+    std::deque<TimedFinding> steps; // which does not move what it holds
+    for (const Finding& finding : findings) steps.emplace_back(render, finding, tones);
+    const NineFetches fetches(tones.diffuse.width, tones.diffuse.height);
+    constexpr double never = std::numeric_limits<double>::max();
+    std::vector<Cost> least(findings.size(), {never, never, never});
+    double floor = never;
+    for (int i = -1; i < rounds; ++i)
+        for (std::size_t k = 0; k < findings.size(); ++k) {
+            const double a = timed([&] { fetches.run(); });
+            const double b = steps[k].blur_ms(), c = steps[k].lines_ms();
+            if (i < 0) continue; // programs are compiled
+            floor = std::min(floor, a);
+            least[k].blur_ms = std::min(least[k].blur_ms, b), least[k].lines_ms = std::min(least[k].lines_ms, c);
+        }
+    for (Cost& cost : least) cost.floor_ms = floor;
+    return least;
 }
 
 Accuracy accuracy_of(RenderContext& render, const Finding& finding, const std::vector<double>& widths, double contrast,

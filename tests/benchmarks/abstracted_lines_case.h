@@ -1,5 +1,6 @@
 #pragma once
 
+#include <hachure/runtime/assets/image.h>
 #include <hachure/runtime/gpu/context.h>
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/systems/abstracted_lines/tone_line_frame.h>
@@ -27,6 +28,13 @@ struct FrameCost {
 };
 [[nodiscard]] FrameCost frame_cost(gpu::Context& context, const std::filesystem::path& model, const ToneImage& quality,
                                    int frames, bool quick);
+
+/// What the tone image itself costs, ms, at each of several numbers of samples: the least of `rounds`, taken in turns.
+[[nodiscard]] std::vector<double> tone_costs(gpu::Context& context, const std::vector<int>& samples, int rounds,
+                                             bool quick);
+
+/// An AOV's first channel, rows from the bottom.
+[[nodiscard]] test::Tones tones_of(const assets::Image& image);
 
 /// One full-screen pass of nine fetches from RG16F: what costs are compared with.
 class NineFetches {
@@ -56,6 +64,10 @@ struct Cost {
 
 /// Medians of `rounds`, in which the floor and both steps take turns.
 [[nodiscard]] Cost cost_of(RenderContext& render, const Finding& finding, const SceneTones& tones, int rounds);
+
+/// The least of `rounds`, in which all findings take turns, so that a slow spell of the machine strikes all of them.
+[[nodiscard]] std::vector<Cost> costs_of(RenderContext& render, const std::vector<Finding>& findings,
+                                         const SceneTones& tones, int rounds);
 
 /// How accurate it is, on bars of several widths (or its own alone) at many angles.
 struct Accuracy {

@@ -68,7 +68,7 @@ TEST(List, MarkdownIsForComponents) {
 
 TEST(List, Aovs) {
     const std::vector<std::string> lines = list("aovs");
-    EXPECT_EQ(lines.size(), 13u);
+    EXPECT_EQ(lines.size(), 22u);
     EXPECT_NE(line_of(lines, "velocity").find("velocity.X velocity.Y"), std::string::npos);
     EXPECT_NE(line_of(lines, "depth").find(" Z "), std::string::npos);
     EXPECT_NE(line_of(lines, "color").find("R G B"), std::string::npos);
@@ -77,6 +77,8 @@ TEST(List, Aovs) {
     line_of(lines, "line_layer");
     line_of(lines, "hidden_lines");
     line_of(lines, "picture_tone");
+    line_of(lines, "picture_normal");
+    line_of(lines, "picture_depth");
 }
 
 TEST(List, SystemsInTheOrderOfTheirStages) {

@@ -113,6 +113,16 @@ TEST_F(OpenInput, AnImageIsASceneOfOnePicture) {
     EXPECT_EQ(open("photo.png").resource<SceneDocument>().style, "lines");
 }
 
+TEST_F(OpenInput, NumberedImagesAreOnePicture) {
+    for (const char* name : {"shot_03.png", "shot_05.png"})
+        assets::write_png(folder_ / name, assets::make_image(6, 4, 3, assets::PixelType::u8));
+    World& world = open("shot_##.png");
+    EXPECT_EQ(only<Picture>(world).file, (folder_ / "shot_##.png").string());
+    EXPECT_THAT(save_scene(world, app_->types(), folder_.path()),
+                testing::HasSubstr(R"({ "name": "shot", "picture": { "file": "shot_##.png" } })"));
+    EXPECT_EQ(picture_size(folder_ / "shot_##.png"), (Canvas{6, 4}));
+}
+
 TEST_F(OpenInput, PicturesOfAScenesFileAreSavedAsTheyWere) {
     assets::write_png(folder_ / "photo.png", assets::make_image(6, 4, 3, assets::PixelType::u8));
     const std::string entity =

@@ -86,8 +86,12 @@ public:
     }
 
     void blur() {
-        ToneBlurJob{
-            .kind = quality_.blur, .sigma = sigma(), .from = source_, .to = blurred_, .valid = whole(), .rect = whole()}
+        ToneBlurJob{.kind = quality_.blur,
+                    .sigma = sigma(),
+                    .from = source_,
+                    .to = blurred_,
+                    .valid = rects_.shaded,
+                    .rect = rects_.blurred}
             .run(render_, scratch_);
     }
 

@@ -10,6 +10,7 @@
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/edge_lines/edge_lines.h>
 #include <hachure/systems/gooch/gooch.h>
+#include <hachure/systems/implicit_brush/implicit_brush.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/metal/metal.h>
 #include <hachure/systems/paper/paper.h>
@@ -74,6 +75,7 @@ constexpr Capability capabilities[] = {
     {"script", register_script},       {"metal", register_metal},
     {"toon", register_toon},           {"abstracted_lines", register_abstracted_lines},
     {"picture", register_picture},     {"paper", register_paper},
+    {"implicit_brush", register_implicit_brush},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -105,8 +107,8 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_LT(place(app, "deform"), place(app, "toon.normals"));
     EXPECT_THAT(names_in(app, Stage::render),
                 ElementsAre("deform.pass", "surface.passes", "picture.pass", "gooch.pass", "metal.pass", "toon.pass",
-                            "edge_lines.pass", "abstracted_lines.pass", "paper.pass", "velocity.pass",
-                            "compose.passes"));
+                            "edge_lines.pass", "abstracted_lines.pass", "velocity.pass", "implicit_brush.pass",
+                            "compose.blank", "paper.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest

@@ -1,6 +1,6 @@
 #include <hachure/systems/abstracted_lines/recursive_gaussian.h>
 
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,17 +13,16 @@ namespace {
 
 /// The filter as shaders/abstracted_lines/blur_recursive.comp runs it: beyond the ends everything is as at the ends.
 std::vector<double> filtered(std::vector<double> x, const RecursiveGaussian& filter) {
-    glm::dvec3 state(x.front());
-    const double end = x.back();
-    for (double& v : x) {
-        v = filter.gain * v + glm::dot(filter.feedback, state);
-        state = {v, state.x, state.y};
-    }
-    state = glm::dvec3(end) + filter.tail * (state - end);
-    for (std::size_t i = x.size(); i-- > 0;) {
-        x[i] = filter.gain * x[i] + glm::dot(filter.feedback, state);
-        state = {x[i], state.x, state.y};
-    }
+    glm::dvec3 state(x.front(), 0.0, 0.0);
+    const glm::dvec3 end(x.back(), 0.0, 0.0);
+    const auto advance = [&](double& v) {
+        const double d = filter.gain * (v - state.x) + filter.keep.x * state.y + filter.keep.y * state.z;
+        state = {state.x + d, d, state.y};
+        v = state.x;
+    };
+    for (double& v : x) advance(v);
+    state = end + filter.tail * (state - end);
+    for (std::size_t i = x.size(); i-- > 0;) advance(x[i]);
     return x;
 }
 

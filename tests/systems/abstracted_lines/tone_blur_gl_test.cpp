@@ -155,6 +155,16 @@ TEST_P(ToneBlurTest, AFlatToneStaysAsItIs) {
             }
 }
 
+/// Wide, recursive filters are where floats lose most: not in differences.
+TEST_P(ToneBlurTest, AFlatToneStaysAsItIsHoweverWideTheBlur) {
+    RenderContext render(context());
+    for (const double sigma : {2.5, 12.0, 32.0}) {
+        Tones flat(200, 150, 0.7);
+        for (double& v : flat.values) v = static_cast<double>(static_cast<float>(v));
+        EXPECT_EQ(Blurrer(render, Kind::recursive, sigma, 200, 150).run(flat).values, flat.values) << sigma;
+    }
+}
+
 /// Passes are confined to the pixels that lines can be in: these come out as they would have anyway.
 TEST_P(ToneBlurTest, AnAreaIsBlurredAsTheWhole) {
     RenderContext render(context());
@@ -224,6 +234,37 @@ TEST_P(ToneBlurTest, ShiftsWithThePicture) {
                 ASSERT_NEAR(b.at(x, y), a.at(x - shift, y), kind == Kind::recursive ? 1e-5 : 1e-6)
                     << name_of(kind) << " " << x << " " << y;
     }
+}
+
+/// Where the ground around a shape is flat, its place is nothing that a recursive filter remembers.
+TEST_P(ToneBlurTest, AShapeOnAFlatGroundShiftsBitForBit) {
+    RenderContext render(context());
+    for (const Kind kind : {Kind::separable, Kind::recursive})
+        for (const double sigma : {1.5, 2.5, 7.0}) {
+            const int rim = static_cast<int>(16.0 * sigma), size = 2 * rim + 24;
+            Tones shape(size, size, 0.9), moved = shape;
+            for (int y = rim; y < rim + 20; ++y)
+                for (int x = rim; x < rim + 20; ++x) {
+                    const double tone = 0.5 + 0.2 * test::normal_noise(3, static_cast<std::uint64_t>(y * size + x));
+                    shape.at(x, y) = moved.at(x + 3, y - 2) = tone;
+                }
+            Blurrer blurrer(render, kind, sigma, size, size);
+            const Tones a = blurrer.run(shape), b = blurrer.run(moved);
+            for (int y = 0; y < size - 2; ++y)
+                for (int x = 0; x < size - 3; ++x)
+                    ASSERT_EQ(a.at(x, y + 2), b.at(x + 3, y)) << name_of(kind) << " " << sigma << " " << x << " " << y;
+        }
+}
+
+/// The last steps of a stack, where widths are nearly one, are so small that a recursive filter has no poles for them.
+TEST_P(ToneBlurTest, SmallStepsAreBlurredToo) {
+    RenderContext render(context());
+    const Tones picture = bars(48, 40, 3.0);
+    for (const Kind kind : kinds)
+        for (const double sigma : {0.1, 0.9})
+            EXPECT_LT(most_difference(Blurrer(render, kind, sigma, 48, 40).run(picture), test::blurred(picture, sigma)),
+                      0.01)
+                << name_of(kind) << " " << sigma;
 }
 
 HACHURE_INSTANTIATE_GL_TESTS(ToneBlurTest);

@@ -1,6 +1,7 @@
 #include <hachure/runtime/error.h>
 #include <hachure/systems/picture/picture_file.h>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <limits>
@@ -29,7 +30,7 @@ TEST(PictureFile, AnImageHasOneFrame) {
     EXPECT_EQ(file.width(), 5);
     EXPECT_EQ(file.height(), 3);
     for (const double seconds : {0.0, 3.0, 1e6}) EXPECT_EQ(file.frame_at({.loop = true}, seconds), 0);
-    EXPECT_TRUE(file.read(0).pixels == image.pixels);
+    EXPECT_TRUE(file.read(0, {.color = true}).color->pixels == image.pixels);
 }
 
 TEST(PictureFile, AVideosFrameFollowsFromTheTime) {
@@ -52,6 +53,25 @@ TEST(PictureFile, AVideosFrameFollowsFromTheTime) {
     }
 }
 
+TEST(PictureFile, ANumberedImageFollowsFromTheTime) {
+    const TempFolder folder;
+    for (const int number : {10, 11, 14})
+        assets::write_png(folder / fmt::format("i{}.png", number), noise(5, 3, 3));
+    PictureFile file((folder / "i#.png").string());
+    EXPECT_EQ(file.width(), 5);
+    const int shown[] = {0, 1, 1, 1, 4};
+    for (const float rate : {30.0f, 23.976f, 1.0f, 1000.0f})
+        for (int k = 0; k < 5; ++k) {
+            const double time = k / double(rate);
+            EXPECT_EQ(file.frame_at({.frames_per_second = rate}, time), shown[k]) << rate << " " << k;
+            EXPECT_EQ(file.frame_at({.frames_per_second = rate}, time + 0.8 / double(rate)), shown[k]);
+            EXPECT_EQ(file.frame_at({.speed = 2, .frames_per_second = rate}, 0.5 * time), shown[k]);
+            EXPECT_EQ(file.frame_at({.loop = true, .frames_per_second = rate}, time + 35.0 / double(rate)), shown[k]);
+            EXPECT_EQ(file.frame_at({.frames_per_second = rate}, time + 1e7), 4) << "the last one stays";
+            EXPECT_EQ(file.frame_at({.time_offset = -1e6f, .frames_per_second = rate}, time), 0) << "as does the first";
+        }
+}
+
 TEST(PictureFile, FaultsNameTheFile) {
     const TempFolder folder;
     const auto opened = [&](const char* name) {
@@ -59,14 +79,14 @@ TEST(PictureFile, FaultsNameTheFile) {
     };
     folder.write("text.png", "no picture");
     folder.write("text.mp4", "no film");
-    for (const char* name : {"text.png", "text.mp4", "absent.png", "absent.mp4"})
+    for (const char* name : {"text.png", "text.mp4", "absent.png", "absent.mp4", "absent.#.png", "##.#.png"})
         EXPECT_THAT(opened(name), HasSubstr(std::string(name) + ": ")) << name;
     assets::Image image = assets::make_image(4, 3, 1, assets::PixelType::f32);
     image.f32()[6] = std::numeric_limits<float>::quiet_NaN();
     assets::write_exr(folder / "nan.exr", image, std::vector<std::string>{"Y"});
     PictureFile file((folder / "nan.exr").string());
-    EXPECT_THAT(fault_of([&] { static_cast<void>(file.read(0)); }),
-                HasSubstr("nan.exr: has values that are not finite (column 2, row 1)"));
+    EXPECT_THAT(fault_of([&] { static_cast<void>(file.read(0, {.color = true})); }),
+                HasSubstr("nan.exr: has values that are not finite (color, channel Y, column 2, row 1)"));
 }
 
 TEST(PictureFiles, FollowTheirEntity) {

@@ -1,8 +1,10 @@
 #include <hachure/components/compose.h>
 #include <hachure/components/edge_lines.h>
 #include <hachure/components/gooch.h>
+#include <hachure/components/implicit_brush.h>
 #include <hachure/components/picture.h>
 #include <hachure/components/picture_coat.h>
+#include <hachure/components/scene.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/styles/style.h>
 #include <hachure/tests/support/drawn_scene.h>
@@ -66,6 +68,28 @@ TEST_F(StyleTest, PicturesTakeTheirSectionAndWhatMeansSomethingOnThem) {
                 HasSubstr("/picture/picture_coat"));
 }
 
+TEST_F(StyleTest, PartsStandBelowEachCameraUntilAnotherStyleComes) {
+    World& world = app.world();
+    const Entity camera = world.create_with(Camera{}, Transform{}), other = world.create_with(Camera{}, Transform{});
+    const Entity own = world.create_with(Name{"own"});
+    world.set_parent(own, camera);
+    const Style style = parse_style(app.types(), "mine.json", R"({"hachure_style": 1, "parts": [
+        {"name": "folds", "implicit_brush": {"feature": "valleys"}}, {"implicit_brush": {}, "compose": {}}]})");
+    for (int i = 0; i < 2; ++i) apply_style(world, app.types(), style); // again changes nothing
+    ASSERT_EQ(world.children(camera).size(), 3u);
+    ASSERT_EQ(world.children(other).size(), 2u);
+    const Entity folds = world.children(camera)[1], second = world.children(camera)[2];
+    EXPECT_EQ(world.children(camera)[0], own);
+    EXPECT_EQ(world.get<Name>(folds).text, "folds");
+    EXPECT_EQ(world.get<ImplicitBrush>(folds), (ImplicitBrush{.feature = BrushFeature::valleys}));
+    EXPECT_EQ(world.get<Name>(second).text, "part 2");
+    EXPECT_TRUE(world.has<Compose>(second));
+    EXPECT_TRUE(world.has<Unsaved>(folds));
+    apply_style(world, parse_style(app.types(), "mine.json", R"({"hachure_style": 1})"), camera);
+    EXPECT_EQ(world.children(camera).size(), 1u);
+    EXPECT_EQ(world.children(other).size(), 2u);
+}
+
 TEST_F(StyleTest, EveryBuiltInStyleIsFoundByItsNameAndDescribed) {
     ASSERT_FALSE(built_in_styles().empty());
     for (const BuiltInStyle& entry : built_in_styles()) {
@@ -90,6 +114,10 @@ TEST_F(StyleTest, ErrorsNameTheFileAndThePlaceInIt) {
         {R"({"hachure_style": 1, "surface": {"gooch": 4}})", "/surface/gooch"},
         {R"({"hachure_style": 1, "camera": []})", "/camera"},
         {R"({"hachure_style": 1, "cameras": {}})", "/cameras"},
+        {R"({"hachure_style": 1, "parts": {}})", "/parts"},
+        {R"({"hachure_style": 1, "parts": [4]})", "/parts/0"},
+        {R"({"hachure_style": 1, "parts": [{"name": 4}]})", "/parts/0/name"},
+        {R"({"hachure_style": 1, "parts": [{}, {"implicit_brush": {"size": -1}}]})", "/parts/1/implicit_brush/size"},
         {R"({"hachure_style": 2})", "/hachure_style"},
         {R"({"name": "mine"})", "hachure_style"},
         {R"([1])", "hachure_style"},
