@@ -56,7 +56,7 @@ function(hachure_unity target)
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # What a .cpp may do, and an included file may not; and locals may have the names of another file's constants.
-  target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
+  target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
 endfunction()
 
 function(hachure_add_library)
