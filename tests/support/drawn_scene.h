@@ -39,8 +39,10 @@ inline SurfaceMesh surface_mesh(const geometry::Shape& shape, const SurfaceMater
 /// A world with everything that draws models, on a context that must be current and outlive it.
 class DrawnScene {
 public:
-    DrawnScene(gpu::Context& context, Canvas canvas) : renderer_(app_, context) {
-        register_capabilities(app_);
+    /// `capabilities` registers those that it has.
+    DrawnScene(gpu::Context& context, Canvas canvas, void (*capabilities)(App&) = register_capabilities)
+        : renderer_(app_, context) {
+        capabilities(app_);
         world().set_resource(canvas);
     }
 

@@ -4,6 +4,7 @@
 #include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/implicit_brush/feature_aovs.h>
 #include <hachure/systems/implicit_brush/feature_passes.h>
+#include <hachure/systems/picture/picture.h>
 #include <hachure/tests/support/drawn_scene.h>
 #include <hachure/tests/support/feature_finding.h>
 
@@ -27,12 +28,13 @@ struct AovPixels {
 class FeatureScene {
 public:
     FeatureScene(gpu::Context& context, Canvas canvas)
-        : scene_(context, canvas), passes_(std::make_unique<FeaturePasses>()) {
+        : scene_(context, canvas, register_without_brushes), passes_(std::make_unique<FeaturePasses>()) {
         App& app = scene_.app();
-        FrameRequests& known = frame_requests(app.world());
-        if (!wants_any(known)) know_feature_aovs(known);
+        know_feature_aovs(frame_requests(app.world()));
         app.add_system(Stage::material, "test.request_features",
-                       [this](World& world) { request_feature_sources(world, requests_); })
+                       [this](const DrawList& list, const PictureList& pictures, FrameRequests& frame) {
+                           request_feature_sources(list, pictures, requests_, frame);
+                       })
             .after("surface.collect")
             .after("picture.collect");
         app.add_system(Stage::render, "test.features", [this](World& world) { declare(world); })
@@ -65,8 +67,15 @@ public:
     [[nodiscard]] const std::vector<PixelProfile>& profiles() const { return profiles_; }
 
 private:
-    static bool wants_any(const FrameRequests& requests) {
-        return std::ranges::any_of(requests.known, [](const AovInfo& aov) { return aov.name == "feature_height"; });
+    static void register_without_brushes(App& app) {
+        app.add_component<FeatureImage>();
+        register_transform(app);
+        register_camera(app);
+        register_light(app);
+        register_surface(app);
+        register_picture(app);
+        register_gooch(app);
+        register_compose(app);
     }
 
     void declare(World& world) {

@@ -123,7 +123,7 @@ TEST_P(BrushesMotionTest, SoIsHalfTheTurnOfALight) {
     for (auto [entity, brush] : world.query<ImplicitBrush>())
         brush = {.feature = BrushFeature::luminance_edges, .peak_low = 0.1f, .peak_high = 0.4f};
     expect_smaller_with_the_step(
-        scene, [&](double at) { scene.turn_light(at); }, 2.0, 10.0, 1);
+        scene, [&](double at) { scene.turn_light(at); }, 8.0, 32.0, 1);
 }
 
 TEST_P(BrushesMotionTest, SoIsHalfTheStepOfAPose) {
