@@ -55,7 +55,8 @@ function(hachure_unity target)
     endforeach()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # What a .cpp may do, and an included file may not; and locals may have the names of another file's constants.
+  # g++ warns of a class with members of an anonymous namespace's types in any file that is included, as these are now. All
+  # other warnings stay.
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
 endfunction()
 
