@@ -27,8 +27,8 @@ bool fits(const glm::vec3& point) {
 }
 
 /// A model that moves: from the pose of the clip's start, without a fade to it.
-void play(World& world, const assets::Model& model, SpawnedModel& spawned, const std::filesystem::path& file,
-          std::string clip) {
+void start_clip(World& world, const assets::Model& model, SpawnedModel& spawned, const std::filesystem::path& file,
+                std::string clip) {
     const bool chosen = !clip.empty();
     // What a file plays by itself it plays as it says, with its speed and all.
     if (const Animation* own = world.find<Animation>(spawned.root); own && !chosen) clip = own->clip;
@@ -61,7 +61,7 @@ SpawnedModel load_model(App& app, const assets::Model& model, const std::filesys
     if (spawned.points.empty()) throw Error(file.string(), "has nothing to draw: its scene holds no triangle");
     check_drawable(file, spawned.points);
     const Animation* own = world.find<Animation>(spawned.root);
-    if (clip || (own && !own->clip.empty())) play(world, model, spawned, file, clip.value_or(""));
+    if (clip || (own && !own->clip.empty())) start_clip(world, model, spawned, file, clip.value_or(""));
     // What a scene file of this world has to say of it: the model and what its root carries.
     world.for_each_descendant(spawned.root, [&](Entity entity) { world.add(entity, Unsaved{}); });
     world.add(spawned.root, SceneReference{.file = file, .own_name = world.get<Name>(spawned.root).text});

@@ -18,16 +18,16 @@ struct Kind {
 };
 
 /// In this order: a buffer has a picture, too.
-constexpr std::array<Kind, 10> kinds{{{"aov", &make_aov_expectation, true, false},
-                                      {"picture", &make_picture_expectation, true, false},
-                                      {"field", &make_field_expectation, true, false},
-                                      {"count", &make_count_expectation, true, false},
-                                      {"pass", &make_pass_expectation, true, false},
-                                      {"passes", &make_passes_expectation, true, false},
-                                      {"allocations", &make_allocation_expectation, true, false},
-                                      {"popping", &make_popping_expectation, true, true},
-                                      {"flicker", &make_flicker_expectation, true, true},
-                                      {"time", &make_time_expectation, false, false}}};
+constexpr std::array<Kind, 10> expectation_kinds{{{"aov", &make_aov_expectation, true, false},
+                                                  {"picture", &make_picture_expectation, true, false},
+                                                  {"field", &make_field_expectation, true, false},
+                                                  {"count", &make_count_expectation, true, false},
+                                                  {"pass", &make_pass_expectation, true, false},
+                                                  {"passes", &make_passes_expectation, true, false},
+                                                  {"allocations", &make_allocation_expectation, true, false},
+                                                  {"popping", &make_popping_expectation, true, true},
+                                                  {"flicker", &make_flicker_expectation, true, true},
+                                                  {"time", &make_time_expectation, false, false}}};
 
 FrameRange parse_range(JsonObject& object, std::int64_t frames) {
     const nlohmann::json& value = object.at("frames");
@@ -51,8 +51,8 @@ FrameRange parse_frames(JsonObject& object, std::int64_t frames) {
 
 std::unique_ptr<Expectation> make_expectation(const ExpectationSource& source) {
     JsonObject object(source.text, source.pointer, source.value);
-    const auto kind = std::ranges::find_if(kinds, [&](const Kind& k) { return object.has(k.key); });
-    if (kind == kinds.end())
+    const auto kind = std::ranges::find_if(expectation_kinds, [&](const Kind& k) { return object.has(k.key); });
+    if (kind == expectation_kinds.end())
         source.text.fail(source.pointer, "says nothing that can be expected: picture, aov, field, count, pass, passes, "
                                          "allocations, popping, flicker or time");
     FrameRange frames;

@@ -14,12 +14,12 @@ struct KindName {
     bool has_place; ///< [x, y], not the name of a key or button
 };
 
-constexpr std::array<KindName, 6> kinds{{{InputKind::key_down, "key_down", false},
-                                         {InputKind::key_up, "key_up", false},
-                                         {InputKind::button_down, "button_down", false},
-                                         {InputKind::button_up, "button_up", false},
-                                         {InputKind::pointer_move, "pointer_move", true},
-                                         {InputKind::scroll, "scroll", true}}};
+constexpr std::array<KindName, 6> input_kinds{{{InputKind::key_down, "key_down", false},
+                                               {InputKind::key_up, "key_up", false},
+                                               {InputKind::button_down, "button_down", false},
+                                               {InputKind::button_up, "button_up", false},
+                                               {InputKind::pointer_move, "pointer_move", true},
+                                               {InputKind::scroll, "scroll", true}}};
 
 glm::vec2 parse_place(JsonObject& object, const std::string& key) {
     const nlohmann::json& value = object.at(key);
@@ -36,7 +36,7 @@ std::pair<std::int64_t, InputEvent> parse_event(const assets::JsonText& text, co
     const std::int64_t frame = object.integer("frame", 0, max_frames - 1);
     InputEvent event;
     int found = 0;
-    for (const KindName& kind : kinds) {
+    for (const KindName& kind : input_kinds) {
         if (!object.has(kind.name)) continue;
         ++found;
         event.kind = kind.kind;
@@ -53,7 +53,7 @@ std::pair<std::int64_t, InputEvent> parse_event(const assets::JsonText& text, co
 
 nlohmann::json event_json(std::int64_t frame, const InputEvent& event) {
     nlohmann::json result{{"frame", frame}};
-    for (const KindName& kind : kinds) {
+    for (const KindName& kind : input_kinds) {
         if (kind.kind != event.kind) continue;
         if (kind.has_place)
             result[kind.name] = {event.at.x, event.at.y};

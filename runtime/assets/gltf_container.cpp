@@ -10,7 +10,7 @@ namespace hachure::assets {
 namespace {
 
 // glTF 2.0, section 4.4: a header of 12 bytes, then chunks of length, type and data; all little-endian.
-constexpr std::size_t header_bytes = 12;
+constexpr std::size_t container_header_bytes = 12;
 constexpr std::size_t chunk_header_bytes = 8;
 constexpr std::uint32_t chunk_json = 0x4E4F534A;
 constexpr std::uint32_t chunk_bin = 0x004E4942;
@@ -34,7 +34,7 @@ class GlbReader {
 public:
     GlbReader(std::span<const std::byte> bytes, const std::string& file, GltfWarnings& warnings)
         : bytes_(bytes), file_(file) {
-        if (bytes_.size() < header_bytes) fail("ends inside the GLB header", bytes_.size());
+        if (bytes_.size() < container_header_bytes) fail("ends inside the GLB header", bytes_.size());
         if (const auto version = little_endian_u32(bytes_, 4); version != 2)
             fail(fmt::format("is GLB version {}; version 2 is understood", version), 4);
         const std::uint32_t length = little_endian_u32(bytes_, 8);
@@ -63,7 +63,7 @@ public:
 private:
     std::span<const std::byte> bytes_;
     const std::string& file_;
-    std::size_t offset_ = header_bytes;
+    std::size_t offset_ = container_header_bytes;
 };
 
 } // namespace
@@ -73,9 +73,9 @@ GltfChunks split_gltf(std::span<const std::byte> bytes, const std::string& file,
     if (bytes.size() < 4 || std::memcmp(bytes.data(), "glTF", 4) != 0) return {as_text(bytes), std::nullopt};
 
     GlbReader reader(bytes, file, warnings);
-    if (reader.at_end()) reader.fail("has no JSON chunk", header_bytes);
+    if (reader.at_end()) reader.fail("has no JSON chunk", container_header_bytes);
     const Chunk json = reader.next();
-    if (json.type != chunk_json) reader.fail("has a first chunk that is not JSON", header_bytes);
+    if (json.type != chunk_json) reader.fail("has a first chunk that is not JSON", container_header_bytes);
     GltfChunks chunks{as_text(json.data), std::nullopt};
     for (bool second = true; !reader.at_end(); second = false) {
         const Chunk chunk = reader.next();

@@ -11,7 +11,7 @@
 namespace hachure::assets {
 namespace {
 
-constexpr std::size_t header_bytes = 84, facet_bytes = 50;
+constexpr std::size_t stl_header_bytes = 84, stl_facet_bytes = 50;
 
 /// The triangles of an STL file, each with three positions of its own.
 struct Facets {
@@ -27,7 +27,8 @@ struct Facets {
 
 std::uint32_t facet_count(std::string_view bytes) {
     std::uint32_t count = 0;
-    if (bytes.size() >= header_bytes) std::memcpy(&count, bytes.data() + header_bytes - sizeof(count), sizeof(count));
+    if (bytes.size() >= stl_header_bytes)
+        std::memcpy(&count, bytes.data() + stl_header_bytes - sizeof(count), sizeof(count));
     return count;
 }
 
@@ -36,14 +37,14 @@ bool is_text(std::string_view bytes) {
     const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
     const std::string_view word = bytes.substr(first, 5);
     if (word != "solid" && word != "SOLID") return false;
-    return bytes.size() != header_bytes + facet_bytes * static_cast<std::uint64_t>(facet_count(bytes)) ||
-           bytes.size() < header_bytes;
+    return bytes.size() != stl_header_bytes + stl_facet_bytes * static_cast<std::uint64_t>(facet_count(bytes)) ||
+           bytes.size() < stl_header_bytes;
 }
 
 Facets read_binary(const std::filesystem::path& file, std::string_view bytes) {
-    if (bytes.size() < header_bytes) throw Error(file.string(), "truncated, or not an STL file", "byte 0");
+    if (bytes.size() < stl_header_bytes) throw Error(file.string(), "truncated, or not an STL file", "byte 0");
     const std::size_t count = facet_count(bytes);
-    if (count > (bytes.size() - header_bytes) / facet_bytes)
+    if (count > (bytes.size() - stl_header_bytes) / stl_facet_bytes)
         throw Error(file.string(), "truncated: it claims " + std::to_string(count) + " facets, more than it can hold",
                     "byte 80");
     Facets facets;
@@ -51,7 +52,7 @@ Facets read_binary(const std::filesystem::path& file, std::string_view bytes) {
     for (std::size_t i = 0; i < count; ++i) {
         glm::vec3 values[4]; // normal, corners
         static_assert(sizeof(values) == 48);
-        const std::size_t at = header_bytes + i * facet_bytes;
+        const std::size_t at = stl_header_bytes + i * stl_facet_bytes;
         std::memcpy(values, bytes.data() + at, sizeof(values));
         if (!is_finite(values[1]) || !is_finite(values[2]) || !is_finite(values[3]))
             throw Error(file.string(), "a position is not finite", "byte " + std::to_string(at));

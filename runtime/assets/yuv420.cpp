@@ -19,8 +19,8 @@ struct Weights {
 
 constexpr int fixed(double value) { return static_cast<int>(value * (1 << fraction_bits) + (value < 0 ? -0.5 : 0.5)); }
 
-constexpr Weights luma_weights{fixed(red_weight * 219 / 255), fixed(green_weight * 219 / 255),
-                               fixed(blue_weight * 219 / 255)};
+constexpr Weights luma_of_rgb{fixed(red_weight * 219 / 255), fixed(green_weight * 219 / 255),
+                              fixed(blue_weight * 219 / 255)};
 
 /// Of (colour - luma) / (2 (1 - weight of the colour)), in 224 steps; grey has none of it, exactly.
 constexpr Weights chroma_weights(double red, double green, double blue, double own) {
@@ -52,7 +52,7 @@ void convert_luma(const ConvertToYuv420& job, int y) {
     std::uint8_t* to = job.luma.bytes.data() + static_cast<std::size_t>(y) * job.luma.stride;
     for (int x = 0; x < job.width; ++x, from += job.channels) {
         const int rgb[3]{from[0], from[1], from[2]};
-        to[x] = apply(luma_weights, rgb, 16);
+        to[x] = apply(luma_of_rgb, rgb, 16);
     }
     if (job.width % 2 != 0) to[job.width] = to[job.width - 1];
 }

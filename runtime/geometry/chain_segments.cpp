@@ -8,7 +8,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_segment = 0xffffffffu;
 
 /// Spreads ids over the table (the finaliser of splitmix64).
 std::uint64_t mixed(std::uint64_t x) {
@@ -32,7 +32,7 @@ ChainSegmentsJob::Place& place_of(ChainSegmentsJob& job, std::uint64_t id) {
 void find_partners(ChainSegmentsJob& job) {
     const auto end_count = static_cast<std::uint32_t>(2 * job.ends.size());
     job.places.assign(std::bit_ceil(2 * std::size_t{end_count} + 2), {});
-    job.partners.assign(end_count, none);
+    job.partners.assign(end_count, no_segment);
     for (std::uint32_t end = 0; end < end_count; ++end) {
         const std::uint64_t id = id_of(job, end);
         if (id == free_end) continue;
@@ -54,7 +54,7 @@ std::uint32_t beginning(const ChainSegmentsJob& job, std::uint32_t segment) {
     const std::uint32_t own = 2 * segment;
     for (std::uint32_t end = own;;) {
         const std::uint32_t before = job.partners[end];
-        if (before == none) return end;
+        if (before == no_segment) return end;
         end = before ^ 1u;
         if (end == own) return own;
     }
@@ -64,7 +64,7 @@ std::uint32_t beginning(const ChainSegmentsJob& job, std::uint32_t segment) {
 
 void ChainSegmentsJob::validate() const {
     HACHURE_ASSERT(lengths.size() == ends.size() && order.size() == ends.size(), "one element per segment");
-    HACHURE_ASSERT(ends.size() < none / 2, "ends are counted in 32 bits");
+    HACHURE_ASSERT(ends.size() < no_segment / 2, "ends are counted in 32 bits");
 }
 
 void ChainSegmentsJob::run() {
@@ -83,7 +83,7 @@ void ChainSegmentsJob::run() {
             order[next++] = {end / 2, end % 2, static_cast<float>(arc)};
             arc += static_cast<double>(lengths[end / 2]);
             end = partners[end ^ 1u];
-        } while (end != none && end != begin);
+        } while (end != no_segment && end != begin);
         chain.count = next - chain.first;
         chain.length = static_cast<float>(arc);
         // Through a junction, too, a chain can come back to where it began.

@@ -11,7 +11,7 @@ namespace hachure::geometry {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 constexpr double noise_confidence = 0.1; // below it curvature is that of the mesh's irregularity
 constexpr double full_confidence = 0.5;

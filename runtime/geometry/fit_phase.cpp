@@ -40,7 +40,7 @@ bool growth_in(const SurfaceSheets& sheets, const SheetMetric& metric, const Dir
 }
 
 /// The normal equations of one round.
-struct Equations {
+struct PhaseEquations {
     SparseSystem system;
     std::vector<double> right;
 
@@ -88,7 +88,7 @@ void fit_phase(const SurfaceSheets& sheets, const SheetMetric& metric, const Dir
                StripePhase& phase) {
     const std::size_t count = sheets.positions.size();
     for (int round = 0; round < rounds; ++round) {
-        Equations equations{SparseSystem(order, 1), std::vector<double>(count)};
+        PhaseEquations equations{SparseSystem(order, 1), std::vector<double>(count)};
         for (std::uint32_t v = 0; v < count; ++v) {
             const double weight = inertia * metric.mass[v] / std::pow(metric.sheet_size[sheets.sheet[v]], 2);
             equations.system.add(v, v, weight);

@@ -12,11 +12,11 @@
 namespace hachure::geometry {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
+using Facet = std::array<std::uint32_t, 3>;
 
 struct Sphere {
     std::vector<glm::dvec3> points; ///< unit
-    std::vector<Triangle> triangles;
+    std::vector<Facet> triangles;
 };
 
 Sphere icosahedron() {
@@ -49,10 +49,10 @@ void subdivide(Sphere& sphere) {
         if (is_new) sphere.points.push_back(glm::normalize(sphere.points[a] + sphere.points[b]));
         return at->second;
     };
-    std::vector<Triangle> finer;
+    std::vector<Facet> finer;
     for (const auto& [a, b, c] : sphere.triangles) {
         const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-        for (const Triangle& t : {Triangle{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}}) finer.push_back(t);
+        for (const Facet& t : {Facet{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}}) finer.push_back(t);
     }
     sphere.triangles = std::move(finer);
 }
@@ -70,7 +70,7 @@ Shape icosphere(double radius, std::uint32_t level) {
         shape.normals.emplace_back(n);
         shape.texcoords.emplace_back(turns < 0.0 ? turns + 1.0 : turns, 0.5 + std::asin(n.y) / std::numbers::pi);
     }
-    for (const Triangle& t : sphere.triangles) shape.indices.insert(shape.indices.end(), t.begin(), t.end());
+    for (const Facet& t : sphere.triangles) shape.indices.insert(shape.indices.end(), t.begin(), t.end());
     return shape;
 }
 

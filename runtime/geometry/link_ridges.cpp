@@ -14,7 +14,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_link = std::numeric_limits<std::uint32_t>::max();
 
 /// An end faces what lies within 60 degrees of where it would go on.
 constexpr float facing_cosine = 0.5f;
@@ -129,7 +129,7 @@ void LinkRidgesJob::find_free_ends() {
 }
 
 void LinkRidgesJob::place_nodes() {
-    places.assign(linked.nodes.size(), {none, 0.0f});
+    places.assign(linked.nodes.size(), {no_link, 0.0f});
     for (std::uint32_t c = 0; c < linked.chains.chains.size(); ++c) {
         const Chain& chain = linked.chains.chains[c];
         for (std::uint32_t i = 0; i <= chain.count; ++i)
@@ -183,11 +183,11 @@ void LinkRidgesJob::merge_touching() {
     merged.resize(linked.nodes.size());
     for (std::uint32_t i = 0; i < merged.size(); ++i) merged[i] = i;
     const auto nearest_of_others = [&](std::uint32_t node) {
-        std::uint32_t best = none;
+        std::uint32_t best = no_link;
         float nearest = touch;
         each_near(grid, linked.nodes[node].point.place, [&](std::uint32_t other) {
             const NodePlace &a = places[node], &b = places[other];
-            if (b.chain == none || linked.nodes[other].owner != linked.nodes[node].owner) return;
+            if (b.chain == no_link || linked.nodes[other].owner != linked.nodes[node].owner) return;
             const float along = std::abs(a.arc - b.arc), around = linked.chains.chains[a.chain].length - along;
             if (a.chain == b.chain && std::min(along, around) < apart_along) return;
             const float distance = glm::distance(linked.nodes[node].point.place, linked.nodes[other].point.place);
@@ -203,7 +203,7 @@ void LinkRidgesJob::merge_touching() {
         const std::uint32_t other = nearest_of_others(node);
         // Each is the other's nearest: of a stretch along which lines touch, one place. Where they meet already, more
         // places near by would only be slivers.
-        if (other == none || other < node || linked.degree[other] != 2 || nearest_of_others(other) != node) continue;
+        if (other == no_link || other < node || linked.degree[other] != 2 || nearest_of_others(other) != node) continue;
         merged[other] = node;
         any = true;
     }
@@ -219,7 +219,7 @@ template <class Visit> void LinkRidgesJob::each_facing(const Grid& grid, Visit&&
         const RidgeNode& node = linked.nodes[end.node];
         each_near(grid, node.point.place, [&](std::uint32_t other) {
             const std::uint32_t j = end_of_node[other];
-            if (j == none || j <= i || linked.nodes[other].owner != node.owner) return;
+            if (j == no_link || j <= i || linked.nodes[other].owner != node.owner) return;
             const glm::vec2 there = linked.nodes[other].point.place;
             const float distance = glm::distance(node.point.place, there);
             if (distance > 2.0f * std::min(end.reach, free_ends[j].reach)) return;
@@ -232,7 +232,7 @@ template <class Visit> void LinkRidgesJob::each_facing(const Grid& grid, Visit&&
 /// Ends that face each other are of one cluster, which is named by the least of them; but none that looks past one much
 /// nearer.
 void LinkRidgesJob::cluster_ends(const Grid& grid) {
-    end_of_node.assign(linked.nodes.size(), none);
+    end_of_node.assign(linked.nodes.size(), no_link);
     for (std::uint32_t i = 0; i < free_ends.size(); ++i) {
         free_ends[i].cluster = i;
         end_of_node[free_ends[i].node] = i;
@@ -295,7 +295,7 @@ void LinkRidgesJob::join_cluster(std::span<const FreeEnd> ends) {
 /// The nearest place of a line that the end faces, nearer than `nearest`; nothing where there is none.
 std::uint32_t LinkRidgesJob::find_line_ahead(const Grid& grid, const FreeEnd& end, float nearest) const {
     const RidgeNode& node = linked.nodes[end.node];
-    std::uint32_t best = none;
+    std::uint32_t best = no_link;
     each_near(grid, node.point.place, [&](std::uint32_t other) {
         const RidgeNode& there = linked.nodes[other];
         if (there.owner != node.owner || linked.degree[other] < 2) return;
@@ -312,7 +312,7 @@ std::uint32_t LinkRidgesJob::find_line_ahead(const Grid& grid, const FreeEnd& en
 /// To the line ahead, if there is one: a T. Returns whether there is.
 bool LinkRidgesJob::join_line_ahead(const Grid& grid, const FreeEnd& end, float nearest) {
     const std::uint32_t node = find_line_ahead(grid, end, nearest);
-    if (node == none || !may_join(end.node, node)) return false;
+    if (node == no_link || !may_join(end.node, node)) return false;
     linked.segments.push_back({end.node, node});
     return true;
 }

@@ -9,11 +9,11 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_corner = 0xffffffffu;
 
 /// Everything that one walk over the edges can tell.
 struct Walk {
-    explicit Walk(std::size_t corners) : fans(corners), across(corners, none), open(corners / 3, false) {}
+    explicit Walk(std::size_t corners) : fans(corners), across(corners, no_corner), open(corners / 3, false) {}
 
     UnionFind fans;                    ///< of corners: those connected through edges at their vertex
     std::vector<std::uint32_t> across; ///< per corner: 2 * triangle across the edge that starts there + mismatch
@@ -96,7 +96,7 @@ std::uint32_t count_components(const WeldedTriangles& triangles) {
     return components;
 }
 
-struct Piece {
+struct ConnectedPiece {
     std::uint32_t sides[2] = {0, 0}; ///< triangles that agree with the first one, and those that do not
     bool orientable = true;
     bool closed = true;
@@ -105,10 +105,10 @@ struct Piece {
 };
 
 /// Follows edges with two triangles from `start`; `side` holds 0 or 1 per visited triangle.
-Piece follow_piece(std::span<const glm::vec3> positions, const WeldedTriangles& triangles, const Walk& walk,
-                   std::uint32_t start, std::vector<std::uint8_t>& side, std::vector<std::uint32_t>& queue) {
+ConnectedPiece follow_piece(std::span<const glm::vec3> positions, const WeldedTriangles& triangles, const Walk& walk,
+                            std::uint32_t start, std::vector<std::uint8_t>& side, std::vector<std::uint32_t>& queue) {
     constexpr std::uint8_t unvisited = 2;
-    Piece piece;
+    ConnectedPiece piece;
     const glm::dvec3 origin(positions[triangles.corners[start][0]]);
     side[start] = 0;
     queue.assign(1, start);
@@ -125,7 +125,7 @@ Piece follow_piece(std::span<const glm::vec3> positions, const WeldedTriangles& 
         piece.volume_sum += std::abs(part);
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t link = walk.across[3 * f + k];
-            if (link == none) continue;
+            if (link == no_corner) continue;
             const auto expected = static_cast<std::uint8_t>(side[f] ^ (link & 1));
             if (side[link / 2] == unvisited) {
                 side[link / 2] = expected;
@@ -144,7 +144,7 @@ void check_orientation(std::span<const glm::vec3> positions, const WeldedTriangl
     std::vector<std::uint32_t> queue;
     for (std::uint32_t f = 0; f < side.size(); ++f) {
         if (!triangles.kept(f) || side[f] != 2) continue;
-        const Piece piece = follow_piece(positions, triangles, walk, f, side, queue);
+        const ConnectedPiece piece = follow_piece(positions, triangles, walk, f, side, queue);
         if (!piece.orientable) {
             ++health.non_orientable_pieces;
             continue;

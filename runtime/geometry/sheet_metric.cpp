@@ -11,12 +11,12 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double tip_turn = 0.85 * 2.0 * pi; // a cone that opens by less than 116 degrees
 constexpr double tip_weight = 1e-6;          // of the edges at a tip, against what they would weigh
 
 /// A growing box.
-struct Bounds {
+struct Extent {
     glm::dvec3 low{std::numeric_limits<double>::max()}, high{-std::numeric_limits<double>::max()};
 
     void add(const glm::dvec3& p) {
@@ -30,15 +30,15 @@ struct Bounds {
 };
 
 void measure_sizes(const SurfaceSheets& sheets, SheetMetric& m) {
-    Bounds all;
-    std::vector<Bounds> own(sheets.sheets);
+    Extent all;
+    std::vector<Extent> own(sheets.sheets);
     for (std::size_t v = 0; v < sheets.positions.size(); ++v) {
         all.add(sheets.positions[v]);
         own[sheets.sheet[v]].add(sheets.positions[v]);
     }
     m.size = all.diagonal();
     if (!sheets.positions.empty()) m.centre = 0.5 * (all.low + all.high);
-    for (const Bounds& bounds : own) m.sheet_size.push_back(bounds.diagonal());
+    for (const Extent& bounds : own) m.sheet_size.push_back(bounds.diagonal());
 }
 
 void measure_triangles(const SurfaceSheets& sheets, SheetMetric& m, std::vector<double>& cotangent) {

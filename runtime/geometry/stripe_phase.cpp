@@ -11,7 +11,7 @@ namespace hachure::geometry {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 constexpr double shift = 0.1;     // of the spectrum, over the square of a sheet's size: keeps the matrix regular
 constexpr int linear_rounds = 20; // of inverse iteration

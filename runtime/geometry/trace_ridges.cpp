@@ -13,7 +13,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_ridge = std::numeric_limits<std::uint32_t>::max();
 
 /// Of neighbours that see one line: their tangents are not farther apart than 50 degrees, which leaves room for bends
 /// as tight as a pixel and a half.
@@ -42,7 +42,7 @@ void TraceRidgesJob::validate() const {
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     HACHURE_ASSERT(image.points.size() == pixels && image.directions.size() == pixels && image.owners.size() == pixels,
                    "one of each per pixel");
-    HACHURE_ASSERT(pixels < none / 8, "nodes have 32-bit indices");
+    HACHURE_ASSERT(pixels < no_ridge / 8, "nodes have 32-bit indices");
 }
 
 bool TraceRidgesJob::holds_line(std::size_t pixel) const {
@@ -52,20 +52,20 @@ bool TraceRidgesJob::holds_line(std::size_t pixel) const {
 
 /// The node between two pixels that the line passes through there, if any.
 std::uint32_t TraceRidgesJob::cross(std::size_t pixel, std::size_t neighbour, glm::vec2 at, glm::vec2 step) {
-    if (image.owners[pixel] != image.owners[neighbour]) return none;
+    if (image.owners[pixel] != image.owners[neighbour]) return no_ridge;
     const glm::vec2 tangent_a(image.directions[pixel]);
     glm::vec2 tangent_b(image.directions[neighbour]);
     const float cosine = glm::dot(tangent_a, tangent_b);
-    if (!(std::abs(cosine) >= least_cosine)) return none;
+    if (!(std::abs(cosine) >= least_cosine)) return no_ridge;
     if (cosine < 0.0f) tangent_b = -tangent_b;
     const glm::vec2 tangent = glm::normalize(tangent_a + tangent_b);
     const glm::vec2 normal = normal_of(tangent);
     const float a = glm::dot(glm::vec2(image.points[pixel]), normal);
     const float b = glm::dot(glm::vec2(image.points[neighbour]), normal);
-    if ((a < 0.0f) == (b < 0.0f)) return none;
+    if ((a < 0.0f) == (b < 0.0f)) return no_ridge;
     const float between = glm::dot(step, normal);
     const float nearer = between < 0.0f ? b - a + between : a - b - between;
-    if (!(nearer >= -most_less && nearer <= most_more)) return none;
+    if (!(nearer >= -most_less && nearer <= most_more)) return no_ridge;
     const float t = a / (a - b);
     RidgeNode node{{}, tangent, image.owners[pixel]};
     node.point.place = at + t * step;
@@ -78,7 +78,7 @@ std::uint32_t TraceRidgesJob::cross(std::size_t pixel, std::size_t neighbour, gl
 void TraceRidgesJob::cross_right(int y, std::vector<std::uint32_t>& row) {
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t first = static_cast<std::size_t>(y) * width;
-    row.assign(width, none);
+    row.assign(width, no_ridge);
     bool before = holds_line(first);
     for (std::size_t x = 0; x + 1 < width; ++x) {
         const bool next = holds_line(first + x + 1);
@@ -92,7 +92,7 @@ void TraceRidgesJob::cross_right(int y, std::vector<std::uint32_t>& row) {
 void TraceRidgesJob::cross_above(int y, std::vector<std::uint32_t>& row) {
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t first = static_cast<std::size_t>(y) * width;
-    row.assign(width, none);
+    row.assign(width, no_ridge);
     if (y + 1 >= image.height) return;
     for (std::size_t x = 0; x < width; ++x)
         if (holds_line(first + x) && holds_line(first + width + x))
@@ -106,7 +106,7 @@ void TraceRidgesJob::join_cell(std::size_t x) {
     std::array<std::uint32_t, 4> found{};
     std::size_t count = 0;
     for (const std::uint32_t node : {right[0][x], above[0][x + 1], right[1][x], above[0][x]})
-        if (node != none) found[count++] = node;
+        if (node != no_ridge) found[count++] = node;
     for (std::size_t i = 1; i < count; ++i)
         if (nodes[found[i]].owner != nodes[found[0]].owner) return;
     if (count == 2) segments.push_back({found[0], found[1]});
@@ -130,8 +130,8 @@ void TraceRidgesJob::add_lone_pixels(int y) {
         if (!holds_line(pixel)) continue;
         const glm::vec2 offset(image.points[pixel]), tangent(image.directions[pixel]);
         if (!(glm::length(offset) <= alone_reach)) continue;
-        if (right[0][x] != none || (x > 0 && right[0][x - 1] != none)) continue;
-        if (above[0][x] != none || above[1][x] != none) continue;
+        if (right[0][x] != no_ridge || (x > 0 && right[0][x - 1] != no_ridge)) continue;
+        if (above[0][x] != no_ridge || above[1][x] != no_ridge) continue;
         if (!(glm::dot(tangent, tangent) > 0.5f)) continue;
         const glm::vec2 middle(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
         nodes.push_back({{middle + offset, image.directions[pixel].z, image.points[pixel].w},
@@ -146,7 +146,7 @@ void TraceRidgesJob::run() {
     if (image.width < 2 || image.height < 2) return;
     const auto width = static_cast<std::size_t>(image.width);
     cross_right(0, right[0]);
-    above[1].assign(width, none);
+    above[1].assign(width, no_ridge);
     for (int y = 0; y < image.height; ++y) {
         cross_above(y, above[0]);
         add_lone_pixels(y);

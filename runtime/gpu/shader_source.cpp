@@ -37,7 +37,7 @@ std::optional<std::string_view> directive(std::string_view line, std::string_vie
 }
 
 /// The path between the quotes of an #include, if that is what stands there and only a comment follows.
-std::optional<std::string_view> quoted(std::string_view text) {
+std::optional<std::string_view> between_quotes(std::string_view text) {
     if (text.size() < 2 || text.front() != '"') return std::nullopt;
     const std::size_t end = text.find('"', 1);
     if (end == std::string_view::npos) return std::nullopt;
@@ -124,7 +124,7 @@ private:
     }
 
     void include(std::string_view written, const Place& place) {
-        const auto path = quoted(written);
+        const auto path = between_quotes(written);
         if (!path) throw Error(place.name, "an #include needs a path in double quotes", place.line());
         const std::string folder = std::filesystem::path(place.name).parent_path().generic_string();
         const auto beside = join_name(folder, *path);

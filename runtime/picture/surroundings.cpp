@@ -8,12 +8,12 @@
 namespace hachure::picture {
 namespace {
 
-using Plane = std::vector<float>;
+using Samples = std::vector<float>;
 
 /// Calls `combine(k)` for the indices of the pixels around each one, first along rows, then along columns; what leaves
 /// the picture is its edge.
-template <class Combine> Plane separable(const Plane& in, int width, int height, int radius, Combine combine) {
-    Plane rows(in.size()), out(in.size());
+template <class Combine> Samples separable(const Samples& in, int width, int height, int radius, Combine combine) {
+    Samples rows(in.size()), out(in.size());
     std::vector<float> window(static_cast<std::size_t>(2 * radius + 1));
     const auto index = [width](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -38,7 +38,7 @@ template <class Combine> Plane separable(const Plane& in, int width, int height,
 Surroundings::Surroundings(const assets::Image& picture, int reach) {
     HACHURE_ASSERT(picture.channels >= 3 && reach >= 0, "colours have surroundings");
     for (std::size_t c = 0; c < 3; ++c) {
-        Plane plane(pixel_count(picture));
+        Samples plane(pixel_count(picture));
         for (std::size_t i = 0; i < plane.size(); ++i)
             plane[i] = static_cast<float>(channel(picture, i, static_cast<int>(c)));
         plane = separable(plane, picture.width, picture.height, 2, [](const std::vector<float>& w) {

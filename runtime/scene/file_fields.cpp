@@ -11,17 +11,17 @@ namespace hachure {
 
 namespace {
 
-constexpr std::string_view image = "image file", image_or_video = "image or video file";
+constexpr std::string_view image_file = "image file", image_or_video = "image or video file";
 
 } // namespace
 
 bool is_file_field(const FieldInfo& field) {
     return field.kind == FieldKind::text &&
-           (field.unit == "file" || field.unit == image || field.unit == image_or_video);
+           (field.unit == "file" || field.unit == image_file || field.unit == image_or_video);
 }
 
 std::string file_fault(const FieldInfo& field, const std::filesystem::path& file) {
-    if ((field.unit != image && field.unit != image_or_video) || file.empty()) return {};
+    if ((field.unit != image_file && field.unit != image_or_video) || file.empty()) return {};
     try {
         if (field.unit == image_or_video && assets::is_video_name(file))
             static_cast<void>(assets::VideoFile(file).read_frame(0));

@@ -11,7 +11,7 @@ using animation::TimelineEvent;
 using assets::JsonValue;
 using nlohmann::json;
 
-constexpr const char* name = "animation_events";
+constexpr const char* events_name = "animation_events";
 constexpr std::size_t most_events = 100'000;
 
 std::vector<TimelineEvent> read_events(const JsonValue& value) {
@@ -44,7 +44,7 @@ double duration_of(const animation::ClipSet* clips, const std::string& clip, con
     return last;
 }
 
-void read(World& world, Entity entity, const ScenePartSource& source) {
+void add_events(World& world, Entity entity, const ScenePartSource& source) {
     const JsonValue value(source.text, source.pointer, source.value);
     if (!source.value.is_object()) value.fail("the events of clips are an object");
     const animation::ClipSet* clips = clips_of(world, entity);
@@ -60,17 +60,17 @@ void read(World& world, Entity entity, const ScenePartSource& source) {
         for (const std::string& warning : moved)
             source.warnings.push_back(source.text.subject() + ": " + warning + " (" + place.where() + ")");
     }
-    remember_source(world, entity, name, source.value, write_events(events));
+    remember_source(world, entity, events_name, source.value, write_events(events));
     world.add(entity, std::move(events));
 }
 
-std::optional<json> write(const World& world, Entity entity) {
+std::optional<json> events_json(const World& world, Entity entity) {
     const AnimationEvents* events = world.find<AnimationEvents>(entity);
     if (!events) return std::nullopt;
-    return as_it_was(world, entity, name, write_events(*events));
+    return as_it_was(world, entity, events_name, write_events(*events));
 }
 
-const char* const schema = R"json({
+const char* const events_schema_text = R"json({
   "type": "object", "description": "by clip: what happens when", "additionalProperties": {
     "type": "array", "maxItems": 100000, "items": {
       "type": "array", "minItems": 2, "maxItems": 2,
@@ -80,7 +80,8 @@ const char* const schema = R"json({
 } // namespace
 
 ScenePart animation_events_part() {
-    return {name, "what happens at moments of a model's clips", json::parse(schema), read, write};
+    return {events_name, "what happens at moments of a model's clips", json::parse(events_schema_text), add_events,
+            events_json};
 }
 
 } // namespace hachure

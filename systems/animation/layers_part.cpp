@@ -8,9 +8,9 @@ namespace {
 using assets::JsonValue;
 using nlohmann::json;
 
-constexpr const char* name = "animation_layers";
+constexpr const char* layers_name = "animation_layers";
 constexpr std::size_t most_layers = 64;
-constexpr const char* repeats[] = {"once", "loop", "ping_pong"};
+constexpr const char* repeat_words[] = {"once", "loop", "ping_pong"};
 
 AnimationLayer read_layer(const JsonValue& value) {
     value.require_keys({"clip", "weight", "additive", "mask", "repeat", "speed", "offset", "time"});
@@ -35,7 +35,7 @@ json write_layers(const AnimationLayers& layers) {
         if (layer.weight != usual.weight) one["weight"] = shortest_number(layer.weight);
         if (layer.additive) one["additive"] = true;
         if (!layer.mask.empty()) one["mask"] = layer.mask;
-        if (layer.repeat != usual.repeat) one["repeat"] = repeats[static_cast<std::size_t>(layer.repeat)];
+        if (layer.repeat != usual.repeat) one["repeat"] = repeat_words[static_cast<std::size_t>(layer.repeat)];
         if (layer.speed != usual.speed) one["speed"] = shortest_number(layer.speed);
         if (layer.offset != usual.offset) one["offset"] = shortest_number(layer.offset);
         if (layer.time != usual.time) one["time"] = layer.time;
@@ -44,7 +44,7 @@ json write_layers(const AnimationLayers& layers) {
     return result;
 }
 
-void read(World& world, Entity entity, const ScenePartSource& source) {
+void add_layers(World& world, Entity entity, const ScenePartSource& source) {
     const JsonValue value(source.text, source.pointer, source.value);
     AnimationLayers layers;
     const std::size_t count = value.array_size(most_layers);
@@ -52,17 +52,17 @@ void read(World& world, Entity entity, const ScenePartSource& source) {
         layers.layers.push_back(read_layer(value.at(i)));
         warn_of_unknown_clip(world, entity, value.at(i).at("clip"), source.warnings);
     }
-    remember_source(world, entity, name, source.value, write_layers(layers));
+    remember_source(world, entity, layers_name, source.value, write_layers(layers));
     world.add(entity, std::move(layers));
 }
 
-std::optional<json> write(const World& world, Entity entity) {
+std::optional<json> layers_json(const World& world, Entity entity) {
     const AnimationLayers* layers = world.find<AnimationLayers>(entity);
     if (!layers) return std::nullopt;
-    return as_it_was(world, entity, name, write_layers(*layers));
+    return as_it_was(world, entity, layers_name, write_layers(*layers));
 }
 
-const char* const schema = R"json({
+const char* const layers_schema_text = R"json({
   "type": "array", "maxItems": 64, "items": {
     "type": "object", "required": ["clip"], "additionalProperties": false,
     "properties": {
@@ -79,7 +79,8 @@ const char* const schema = R"json({
 } // namespace
 
 ScenePart animation_layers_part() {
-    return {name, "clips over the one that a model plays, in order", json::parse(schema), read, write};
+    return {layers_name, "clips over the one that a model plays, in order", json::parse(layers_schema_text), add_layers,
+            layers_json};
 }
 
 } // namespace hachure

@@ -7,23 +7,23 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* name = "animation_states";
+constexpr const char* states_name = "animation_states";
 
-void read(World& world, Entity entity, const ScenePartSource& source) {
+void add_states(World& world, Entity entity, const ScenePartSource& source) {
     const assets::JsonValue value(source.text, source.pointer, source.value);
     const animation::ClipSet* clips = clips_of(world, entity);
     if (!clips) value.fail("there is no model with clips here");
     AnimationStates states = read_states(value, *clips);
-    remember_source(world, entity, name, source.value, write_states(states, *clips));
+    remember_source(world, entity, states_name, source.value, write_states(states, *clips));
     world.add(entity, std::move(states));
 }
 
-std::optional<json> write(const World& world, Entity entity) {
+std::optional<json> states_json(const World& world, Entity entity) {
     const AnimationStates* states = world.find<AnimationStates>(entity);
     const animation::ClipSet* clips = clips_of(world, entity);
     // A machine that does nothing can't be read again either.
     if (!states || !clips || !animation::check_state_machine(states->machine).empty()) return std::nullopt;
-    return as_it_was(world, entity, name, write_states(*states, *clips));
+    return as_it_was(world, entity, states_name, write_states(*states, *clips));
 }
 
 } // namespace
@@ -61,7 +61,7 @@ json states_schema() {
 }
 
 ScenePart animation_states_part() {
-    return {name, "a state machine that chooses what a model plays", states_schema(), read, write};
+    return {states_name, "a state machine that chooses what a model plays", states_schema(), add_states, states_json};
 }
 
 } // namespace hachure

@@ -10,7 +10,7 @@
 namespace hachure {
 namespace {
 
-constexpr float nowhere = 1e30f;
+constexpr float unbounded = 1e30f;
 
 /// Gaps shorter than this are no gaps, pixels: neighbours of a surface meet without one, up to rounding.
 constexpr double shortest_gap = 1.0 / 64.0;
@@ -141,8 +141,8 @@ void ClipLinesJob::end_runs(std::size_t first, std::vector<LineSegment>& all, bo
         std::size_t last = i;
         while (last + 1 < end && goes_on(all[last], all[last + 1])) ++last;
         glm::vec2 run(all[i].arc.x, all[last].arc.y);
-        if (outside(all[i].start, viewport) || (wraps && i == first)) run.x = -nowhere;
-        if (outside(all[last].end, viewport) || (wraps && last + 1 == end)) run.y = nowhere;
+        if (outside(all[i].start, viewport) || (wraps && i == first)) run.x = -unbounded;
+        if (outside(all[last].end, viewport) || (wraps && last + 1 == end)) run.y = unbounded;
         for (; i <= last; ++i) all[i].ends = run;
     }
 }
@@ -155,7 +155,7 @@ void ClipLinesJob::append_kind(std::size_t kind, std::size_t& line, Cursor& curs
         const std::size_t first_seen = pieces->size(), first_hidden = hidden_pieces.size();
         for (std::uint32_t i = lines[line].first; i < lines[line].first + lines[line].count; ++i)
             cut_segment(segments[i], next(cursor));
-        const bool closed = segments[lines[line].first].ends.y == nowhere;
+        const bool closed = segments[lines[line].first].ends.y == unbounded;
         end_runs(first_seen, *pieces, closed);
         end_runs(first_hidden, hidden_pieces, closed);
     }

@@ -11,7 +11,7 @@
 namespace hachure {
 namespace {
 
-constexpr float nowhere = 1e30f; ///< pixels: the end of a line that has none
+constexpr float no_end = 1e30f; ///< pixels: the end of a line that has none
 
 struct ScreenPoint {
     glm::dvec2 at;
@@ -48,7 +48,7 @@ public:
         const std::size_t first = job_.segments->size();
         arc_ = 0.0;
         for (std::uint32_t i = chain.first; i + 1 < chain.first + chain.count; ++i) add_segment(i);
-        const glm::vec2 ends = chain.closed ? glm::vec2(-nowhere, nowhere) : glm::vec2(0.0f, static_cast<float>(arc_));
+        const glm::vec2 ends = chain.closed ? glm::vec2(-no_end, no_end) : glm::vec2(0.0f, static_cast<float>(arc_));
         for (std::size_t i = first; i < job_.segments->size(); ++i) (*job_.segments)[i].ends = ends;
         if (job_.segments->size() > first)
             job_.lines_out->push_back(

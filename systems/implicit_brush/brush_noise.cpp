@@ -5,6 +5,7 @@
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/implicit_brush/brush_noise.h>
 #include <hachure/systems/implicit_brush/brush_noise_job.h>
+#include <hachure/systems/implicit_brush/depend_on_rect.h>
 
 #include <fmt/format.h>
 
@@ -32,11 +33,6 @@ struct NoisePass {
 };
 
 bool needs_places(const BrushNoiseKey& key) { return key.grain == BrushGrain::solid || key.world_size; }
-
-void depend_on_rect(gpu::PassBuilder& pass, const gpu::Rect& rect) {
-    pass.depends_on(rect.x, rect.y, rect.width, rect.height);
-    pass.covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
-}
 
 /// Nothing has moved, and nothing carries noise.
 void clear(RenderContext& render, const PhaseTextures& textures, const gpu::Rect& rect) {

@@ -6,6 +6,7 @@
 #include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/implicit_brush/brush_frame.h>
 #include <hachure/systems/implicit_brush/brush_passes.h>
+#include <hachure/systems/implicit_brush/depend_on_rect.h>
 #include <hachure/systems/implicit_brush/feature_aovs.h>
 #include <hachure/systems/implicit_brush/weight_map.h>
 
@@ -19,11 +20,6 @@ namespace hachure {
 namespace {
 
 using gpu::TextureHandle;
-
-void depend_on_rect(gpu::PassBuilder& pass, const gpu::Rect& rect) {
-    pass.depends_on(rect.x, rect.y, rect.width, rect.height);
-    pass.covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
-}
 
 std::uint64_t owners_key(const BrushFrame& frame, std::size_t draw) {
     gpu::KeyHash key;

@@ -26,11 +26,23 @@ void* box_at(lua_State* state, int index, BoxKind kind) {
     return *static_cast<const BoxKind*>(box) == kind ? box : nullptr;
 }
 
+std::string_view check_text(lua_State* state, int index) {
+    std::size_t length = 0;
+    const char* const text = luaL_checklstring(state, index, &length);
+    return {text, length};
+}
+
 void set_functions(lua_State* state, const NamedFunction* functions) {
     for (; functions->name; ++functions) {
         lua_pushcfunction(state, functions->function);
         lua_setfield(state, -2, functions->name);
     }
+}
+
+void enclose(lua_State* state, const char* name, int (*around)(lua_State*)) {
+    lua_getfield(state, -1, name);
+    lua_pushcclosure(state, around, 1);
+    lua_setfield(state, -2, name);
 }
 
 void push_metatable(lua_State* state, const char* name, const NamedFunction* functions) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <exception>
+#include <string_view>
 
 struct lua_State;
 
@@ -31,6 +32,9 @@ enum class BoxKind : unsigned { vec2, vec3, vec4, quat, entity, component, query
 /// The userdata at `index` of this kind, or null.
 void* box_at(lua_State* state, int index, BoxKind kind);
 
+/// The text at `index`, which Lua owns; raises an error when there is none.
+[[nodiscard]] std::string_view check_text(lua_State* state, int index);
+
 struct NamedFunction {
     const char* name;
     int (*function)(lua_State*);
@@ -38,6 +42,9 @@ struct NamedFunction {
 
 /// Puts `functions` into the table on top of the stack; the list ends with a null name.
 void set_functions(lua_State* state, const NamedFunction* functions);
+
+/// Replaces the function `name` of the table on top of the stack by `around`, which has it as upvalue 1.
+void enclose(lua_State* state, const char* name, int (*around)(lua_State*));
 
 /// Makes a metatable on top of the stack that scripts can't see: `functions`, and a name for messages.
 void push_metatable(lua_State* state, const char* name, const NamedFunction* functions);

@@ -10,8 +10,6 @@
 namespace hachure::script {
 namespace {
 
-constexpr std::int64_t steps_of_a_structural_change = 50;
-
 /// The component itself, to read; raises an error when it is gone.
 const void* component_of(lua_State* state, ComponentBox& box) {
     const Context& context = context_of(state);
@@ -55,7 +53,7 @@ int set_field(lua_State* state) {
     return 0;
 }
 
-int to_text(lua_State* state) {
+int component_text(lua_State* state) {
     const auto* const box = static_cast<const ComponentBox*>(box_at(state, 1, BoxKind::component));
     lua_pushstring(state, box ? box->key->type->name.c_str() : "component");
     return 1;
@@ -137,8 +135,10 @@ const ComponentKey& check_component(lua_State* state, int index) {
 }
 
 void open_components(lua_State* state) {
-    static constexpr NamedFunction functions[] = {
-        {"__index", bound<get_field>}, {"__newindex", bound<set_field>}, {"__tostring", to_text}, {nullptr, nullptr}};
+    static constexpr NamedFunction functions[] = {{"__index", bound<get_field>},
+                                                  {"__newindex", bound<set_field>},
+                                                  {"__tostring", component_text},
+                                                  {nullptr, nullptr}};
     push_metatable(state, "component", functions);
     context_of(state).component_methods = luaL_ref(state, LUA_REGISTRYINDEX);
 }

@@ -10,8 +10,6 @@
 namespace hachure::script {
 namespace {
 
-constexpr std::int64_t steps_of_a_structural_change = 50;
-
 /// What stands behind the dot besides components; the numbers are keys of ComponentKeys.
 enum Member { name, parent, children, first_method };
 
@@ -129,14 +127,14 @@ int set_member(lua_State* state) {
     return 0;
 }
 
-int equal(lua_State* state) {
+int equal_entities(lua_State* state) {
     const EntityBox* const a = entity_at(state, 1);
     const EntityBox* const b = entity_at(state, 2);
     lua_pushboolean(state, a && b && a->entity == b->entity);
     return 1;
 }
 
-int to_text(lua_State* state) {
+int entity_text(lua_State* state) {
     const EntityBox* const box = entity_at(state, 1);
     if (!box) return luaL_argerror(state, 1, "an entity is needed");
     const World& world = *context_of(state).world;
@@ -148,8 +146,10 @@ int to_text(lua_State* state) {
     return 1;
 }
 
-constexpr NamedFunction functions[] = {
-    {"__newindex", bound<set_member>}, {"__eq", equal}, {"__tostring", bound<to_text>}, {nullptr, nullptr}};
+constexpr NamedFunction entity_functions[] = {{"__newindex", bound<set_member>},
+                                              {"__eq", equal_entities},
+                                              {"__tostring", bound<entity_text>},
+                                              {nullptr, nullptr}};
 
 } // namespace
 
@@ -169,7 +169,7 @@ void open_entities(lua_State* state) {
     context.keys.add_member(state, "name", name);
     context.keys.add_member(state, "parent", parent);
     context.keys.add_member(state, "children", children);
-    push_metatable(state, "entity", functions);
+    push_metatable(state, "entity", entity_functions);
     lua_newtable(state);
     int number = first_method;
     for (const NamedFunction* method = methods; method->name; ++method, ++number) {

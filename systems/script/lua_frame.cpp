@@ -68,13 +68,14 @@ int get_time(lua_State* state) {
     return luaL_error(state, "there is no time.%s", push_text(state, 2));
 }
 
-int no_assignment(lua_State* state) { return luaL_error(state, "this can't be assigned"); }
+int no_frame_assignment(lua_State* state) { return luaL_error(state, "this can't be assigned"); }
 
 /// Puts an empty table with the function on top of the stack as its __index into the table below, as `name`.
 void set_view(lua_State* state, const char* name) {
     lua_newtable(state);
-    push_metatable(state, name,
-                   std::initializer_list<NamedFunction>{{"__newindex", no_assignment}, {nullptr, nullptr}}.begin());
+    push_metatable(
+        state, name,
+        std::initializer_list<NamedFunction>{{"__newindex", no_frame_assignment}, {nullptr, nullptr}}.begin());
     lua_pushvalue(state, -3);
     lua_setfield(state, -2, "__index");
     lua_setmetatable(state, -2);
@@ -100,17 +101,17 @@ int log(lua_State* state) {
     return 0;
 }
 
-constexpr NamedFunction functions[] = {{"down", bound<down>},
-                                       {"pressed", bound<pressed>},
-                                       {"released", bound<released>},
-                                       {"button", bound<button>},
-                                       {nullptr, nullptr}};
+constexpr NamedFunction frame_functions[] = {{"down", bound<down>},
+                                             {"pressed", bound<pressed>},
+                                             {"released", bound<released>},
+                                             {"button", bound<button>},
+                                             {nullptr, nullptr}};
 
 } // namespace
 
 void open_frame(lua_State* state) {
     lua_newtable(state);
-    set_functions(state, functions);
+    set_functions(state, frame_functions);
     lua_pushcclosure(state, get_input, 1);
     set_view(state, "input");
     lua_pushcfunction(state, get_time);

@@ -2,6 +2,7 @@
 #include <hachure/runtime/ecs/events.h>
 #include <hachure/runtime/error.h>
 #include <hachure/runtime/scene/spawner.h>
+#include <hachure/systems/script/lua_binding.h>
 #include <hachure/systems/script/lua_entity.h>
 #include <hachure/systems/script/script_api.h>
 #include <hachure/systems/script/script_context.h>
@@ -16,12 +17,6 @@ namespace {
 
 // What these cost beside an instruction of Lua, so that a loop without end does not fill the world first.
 constexpr std::int64_t steps_of_spawning = 10'000, steps_of_sending = 100, steps_of_finding = 10;
-
-std::string_view check_text(lua_State* state, int index) {
-    std::size_t length = 0;
-    const char* const text = luaL_checklstring(state, index, &length);
-    return {text, length};
-}
 
 int find(lua_State* state) {
     Context& context = context_of(state);
@@ -89,17 +84,17 @@ int send(lua_State* state) {
     return 0;
 }
 
-constexpr NamedFunction functions[] = {{"find", bound<find>},
-                                       {"find_all", bound<find_all>},
-                                       {"spawn", bound<spawn>},
-                                       {"send", bound<send>},
-                                       {nullptr, nullptr}};
+constexpr NamedFunction scene_functions[] = {{"find", bound<find>},
+                                             {"find_all", bound<find_all>},
+                                             {"spawn", bound<spawn>},
+                                             {"send", bound<send>},
+                                             {nullptr, nullptr}};
 
 } // namespace
 
 void open_scene(lua_State* state) {
     lua_newtable(state);
-    set_functions(state, functions);
+    set_functions(state, scene_functions);
     open_query(state);
     protect_table(state, "scene");
     lua_setfield(state, -2, "scene");

@@ -80,14 +80,14 @@ int negate(lua_State* state) {
     return 1;
 }
 
-int equal(lua_State* state) {
+int equal_vectors(lua_State* state) {
     const VectorBox* const a = vector_at(state, 1);
     const VectorBox* const b = vector_at(state, 2);
     lua_pushboolean(state, a && b && a->kind == b->kind && std::equal(a->at, a->at + 4, b->at));
     return 1;
 }
 
-int to_text(lua_State* state) {
+int vector_text(lua_State* state) {
     const VectorBox* const a = vector_at(state, 1);
     if (!a) return luaL_argerror(state, 1, "no vector");
     luaL_Buffer text;
@@ -125,13 +125,14 @@ int element(lua_State* state) {
     return luaL_error(state, "%s has no element %s", name_of(a->kind), key);
 }
 
-int no_assignment(lua_State* state) {
+int no_vector_assignment(lua_State* state) {
     return luaL_error(state, "a vector is a value: assign a new one, as in e.transform.scale = vec3(1, 2, 1)");
 }
 
 constexpr NamedFunction operators[] = {
-    {"__add", add},  {"__sub", subtract},     {"__mul", multiply},           {"__div", divide}, {"__unm", negate},
-    {"__eq", equal}, {"__tostring", to_text}, {"__newindex", no_assignment}, {nullptr, nullptr}};
+    {"__add", add},    {"__sub", subtract},     {"__mul", multiply},         {"__div", divide},
+    {"__unm", negate}, {"__eq", equal_vectors}, {"__tostring", vector_text}, {"__newindex", no_vector_assignment},
+    {nullptr, nullptr}};
 
 /// vec3(): zeros; vec3(1): three of it; vec3(1, 2, 3). Upvalue 1 is the kind. quat() is no turn. Numbers are x, y, z,
 /// w. A quat from numbers is made to have length 1. Argument 1 is the table that is called.

@@ -10,7 +10,9 @@
 namespace hachure::script {
 namespace {
 
-int no_assignment(lua_State* state) { return luaL_error(state, "what belongs to all scripts can't be assigned"); }
+int no_shared_assignment(lua_State* state) {
+    return luaL_error(state, "what belongs to all scripts can't be assigned");
+}
 
 /// Copies the functions `names` (null-terminated) from the table below the top into that on top.
 void copy_functions(lua_State* state, const char* const* names) {
@@ -43,7 +45,7 @@ void open_math(lua_State* state) {
 } // namespace
 
 void protect_table(lua_State* state, const char* name) {
-    static constexpr NamedFunction refusal[] = {{"__newindex", no_assignment}, {nullptr, nullptr}};
+    static constexpr NamedFunction refusal[] = {{"__newindex", no_shared_assignment}, {nullptr, nullptr}};
     lua_newtable(state);
     push_metatable(state, name, refusal);
     lua_pushvalue(state, -3);

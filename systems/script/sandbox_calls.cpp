@@ -92,13 +92,6 @@ int wrap(lua_State* state) {
     return 1;
 }
 
-/// Replaces a function of the table on top of the stack by one that has it as upvalue 1.
-void enclose(lua_State* state, const char* name, lua_CFunction around) {
-    lua_getfield(state, -1, name);
-    lua_pushcclosure(state, around, 1);
-    lua_setfield(state, -2, name);
-}
-
 } // namespace
 
 void open_calls(lua_State* state) {

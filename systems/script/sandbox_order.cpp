@@ -185,10 +185,10 @@ int next(lua_State* state) {
     return 2;
 }
 
-constexpr NamedFunction functions[] = {{"pairs", pairs}, {"next", next}, {nullptr, nullptr}};
+constexpr NamedFunction order_functions[] = {{"pairs", pairs}, {"next", next}, {nullptr, nullptr}};
 
 } // namespace
 
-void open_order(lua_State* state) { set_functions(state, functions); }
+void open_order(lua_State* state) { set_functions(state, order_functions); }
 
 } // namespace hachure::script

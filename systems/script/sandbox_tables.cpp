@@ -12,7 +12,7 @@
 namespace hachure::script {
 namespace {
 
-constexpr std::int64_t bytes_per_step = 16;
+constexpr std::int64_t table_bytes_per_step = 16;
 constexpr std::int64_t too_many = std::numeric_limits<std::int64_t>::max() / 4;
 
 std::int64_t length(lua_State* state, int index) { return static_cast<std::int64_t>(lua_rawlen(state, index)); }
@@ -21,7 +21,7 @@ std::int64_t cost_of_texts(lua_State* state) {
     std::int64_t bytes = 0;
     for (int i = lua_gettop(state); i > 0; --i)
         if (lua_type(state, i) == LUA_TSTRING) bytes += length(state, i);
-    return bytes / bytes_per_step;
+    return bytes / table_bytes_per_step;
 }
 
 /// How many elements the integers at `first` and after it span.
@@ -40,7 +40,7 @@ std::int64_t cost_of_sorting(lua_State* state, std::int64_t size) {
         lua_pop(state, 1);
     }
     const std::int64_t comparisons = size * static_cast<std::int64_t>(std::bit_width(static_cast<std::uint64_t>(size)));
-    return size + 2 * comparisons * (1 + longest / bytes_per_step);
+    return size + 2 * comparisons * (1 + longest / table_bytes_per_step);
 }
 
 std::int64_t cost_of_list(lua_State* state, Cost cost) {
@@ -103,13 +103,13 @@ int collect_garbage(lua_State* state) {
     const bool count = luaL_checkoption(state, 1, "collect", options) == 1;
     Machine& machine = Machine::of(state);
     if (count) return lua_pushnumber(state, static_cast<double>(machine.memory()) / 1024.0), 1;
-    machine.charge(state, static_cast<std::int64_t>(machine.memory()) / bytes_per_step);
+    machine.charge(state, static_cast<std::int64_t>(machine.memory()) / table_bytes_per_step);
     lua_gc(state, LUA_GCCOLLECT);
     lua_pushinteger(state, 0);
     return 1;
 }
 
-constexpr NamedFunction functions[] = {
+constexpr NamedFunction table_functions[] = {
     {"setmetatable", set_metatable}, {"rawset", raw_set}, {"collectgarbage", collect_garbage}, {nullptr, nullptr}};
 
 } // namespace
@@ -125,7 +125,7 @@ void open_tables(lua_State* state) {
         Cost cost;
     } costs[] = {{"insert", Cost::insert}, {"remove", Cost::remove}, {"concat", Cost::concat},
                  {"unpack", Cost::unpack}, {"move", Cost::move},     {"sort", Cost::sort}};
-    set_functions(state, functions);
+    set_functions(state, table_functions);
     luaL_requiref(state, "table", luaopen_table, 0);
     for (const auto& [name, cost] : costs) {
         lua_getfield(state, -1, name);

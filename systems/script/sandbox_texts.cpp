@@ -61,12 +61,6 @@ int repeat(lua_State* state) {
     return lua_tocfunction(state, lua_upvalueindex(1))(state);
 }
 
-void enclose(lua_State* state, const char* name, lua_CFunction around) {
-    lua_getfield(state, -1, name);
-    lua_pushcclosure(state, around, 1);
-    lua_setfield(state, -2, name);
-}
-
 void open_strings(lua_State* state) {
     static constexpr const char* counted[] = {"byte", "char", "lower",  "upper",   "reverse",
                                               "sub",  "pack", "unpack", "packsize"};

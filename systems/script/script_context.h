@@ -13,6 +13,9 @@
 
 namespace hachure::script {
 
+/// About what it costs, beside an instruction of Lua, to add or remove a component or to destroy an entity.
+inline constexpr std::int64_t steps_of_a_structural_change = 50;
+
 /// What the functions that scripts call work on. It outlives the Lua state.
 struct Context {
     explicit Context(const TypeRegistry& registry) : types(&registry) {}

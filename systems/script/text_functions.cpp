@@ -14,12 +14,6 @@
 namespace hachure::script {
 namespace {
 
-std::string_view check_text(lua_State* state, int index) {
-    std::size_t length = 0;
-    const char* const text = luaL_checklstring(state, index, &length);
-    return {text, length};
-}
-
 /// Where to begin, from 0, as the argument at `index` says: from 1, or negative from the end.
 std::size_t check_start(lua_State* state, int index, std::size_t size) {
     const lua_Integer start = luaL_optinteger(state, index, 1);
@@ -68,7 +62,7 @@ int find_or_match(lua_State* state, bool find) {
     return 1;
 }
 
-int find(lua_State* state) { return find_or_match(state, true); }
+int find_pattern(lua_State* state) { return find_or_match(state, true); }
 int match(lua_State* state) { return find_or_match(state, false); }
 
 /// Upvalues: text, pattern, where to go on, where the last match ended (-1 for none).
@@ -96,7 +90,7 @@ int next_match(lua_State* state) {
 
 int gmatch(lua_State* state) {
     const std::string_view text = check_text(state, 1);
-    check_text(state, 2);
+    luaL_checkstring(state, 2);
     const std::size_t start = std::min(check_start(state, 3, text.size()), text.size() + 1);
     lua_settop(state, 2);
     lua_pushinteger(state, static_cast<lua_Integer>(start));
@@ -193,11 +187,11 @@ int gsub(lua_State* state) {
     return 2;
 }
 
-constexpr NamedFunction functions[] = {
-    {"find", find}, {"match", match}, {"gmatch", gmatch}, {"gsub", gsub}, {nullptr, nullptr}};
+constexpr NamedFunction pattern_functions[] = {
+    {"find", find_pattern}, {"match", match}, {"gmatch", gmatch}, {"gsub", gsub}, {nullptr, nullptr}};
 
 } // namespace
 
-void open_patterns(lua_State* state) { set_functions(state, functions); }
+void open_patterns(lua_State* state) { set_functions(state, pattern_functions); }
 
 } // namespace hachure::script

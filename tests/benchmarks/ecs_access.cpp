@@ -10,10 +10,10 @@
 namespace hachure::bench {
 namespace {
 
-constexpr double limit_over_raw = 1.5;
+constexpr double access_limit_over_raw = 1.5;
 
-struct Data {
-    explicit Data(std::size_t count) : handles(shuffled(fill(world, count))), ids(count) {
+struct AccessData {
+    explicit AccessData(std::size_t count) : handles(shuffled(fill(world, count))), ids(count) {
         for (std::size_t i = 0; i < count; ++i) {
             positions.push_back(component<Position>(i));
             velocities.push_back(component<Velocity>(i));
@@ -49,7 +49,7 @@ template <class Keys, class F> double visit(const Keys& keys, F read) {
     });
 }
 
-double read_raw(const Data& data) {
+double read_raw(const AccessData& data) {
     return visit(data.ids, [&](std::uint32_t id) {
         const std::uint32_t place = data.places[id];
         return data.positions[place].x + data.velocities[place].y;
@@ -57,24 +57,24 @@ double read_raw(const Data& data) {
 }
 
 /// Without the index: for things that never move and never go.
-double read_raw_directly(const Data& data) {
+double read_raw_directly(const AccessData& data) {
     return visit(data.ids, [&](std::uint32_t id) { return data.positions[id].x + data.velocities[id].y; });
 }
 
-double get(const Data& data) {
+double get(const AccessData& data) {
     return visit(data.handles, [&](Entity entity) {
         return data.world.get<Position>(entity).x + data.world.get<Velocity>(entity).y;
     });
 }
 
-double get_both(const Data& data) {
+double get_both(const AccessData& data) {
     return visit(data.handles, [&](Entity entity) {
         const auto [position, velocity] = data.world.get<Position, Velocity>(entity);
         return position.x + velocity.y;
     });
 }
 
-double each_of(const Data& data) {
+double each_of(const AccessData& data) {
     return time_second(data.handles.size(), [&] {
         float sum = 0.0f;
         data.world.query<const Position, const Velocity>().each_of(
@@ -83,23 +83,24 @@ double each_of(const Data& data) {
     });
 }
 
-double get_mutable(Data& data) {
+double get_mutable(AccessData& data) {
     return visit(data.handles, [&](Entity entity) { return data.world.get_mutable<Position>(entity).x += 1.0f; });
 }
 
-double has(const Data& data) {
+double has(const AccessData& data) {
     return visit(data.handles, [&](Entity entity) { return data.world.has<Velocity>(entity) ? 1.0f : 0.0f; });
 }
 
 } // namespace
 
 Group access_group(std::size_t count) {
-    auto data = std::make_shared<Data>(count);
+    auto data = std::make_shared<AccessData>(count);
     Group group{"random: raw arrays through an index", [data] { return read_raw(*data); }, {}};
     group.cases = {
-        {"random: each_of two", [data] { return each_of(*data); }, "read two components at random", limit_over_raw},
-        {"random: get two at once", [data] { return get_both(*data); }, "", limit_over_raw},
-        {"random: get two", [data] { return get(*data); }, "read two components at random", limit_over_raw},
+        {"random: each_of two", [data] { return each_of(*data); }, "read two components at random",
+         access_limit_over_raw},
+        {"random: get two at once", [data] { return get_both(*data); }, "", access_limit_over_raw},
+        {"random: get two", [data] { return get(*data); }, "read two components at random", access_limit_over_raw},
         {"random: raw arrays without an index", [data] { return read_raw_directly(*data); }, "", {}},
     };
     return group;
@@ -107,7 +108,7 @@ Group access_group(std::size_t count) {
 
 Group write_group(std::size_t count) {
     // A world of its own: what it writes, the readers above would have to fetch from memory.
-    auto data = std::make_shared<Data>(count);
+    auto data = std::make_shared<AccessData>(count);
     Group group;
     group.cases = {
         {"random: get_mutable one", [data] { return get_mutable(*data); }, "", {}},

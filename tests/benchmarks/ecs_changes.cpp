@@ -12,15 +12,15 @@
 namespace hachure::bench {
 namespace {
 
-struct Data {
-    explicit Data(std::size_t count) : handles(shuffled(fill(world, count))) {}
+struct ChangeData {
+    explicit ChangeData(std::size_t count) : handles(shuffled(fill(world, count))) {}
 
     World world;
     std::vector<Entity> handles;
 };
 
 /// Writes to `dirty` entities anywhere, then finds them: microseconds for the walk that does.
-double find_changed(Data& data, std::size_t dirty, detail::ChangeWalk how) {
+double find_changed(ChangeData& data, std::size_t dirty, detail::ChangeWalk how) {
     const Tick before = data.world.tick();
     data.world.advance_tick();
     for (const Entity entity : std::span(data.handles).first(dirty)) data.world.get_mutable<Position>(entity).x += 1.0f;
@@ -42,7 +42,7 @@ double find_changed(Data& data, std::size_t dirty, detail::ChangeWalk how) {
 } // namespace
 
 Group change_group(std::size_t count) {
-    auto data = std::make_shared<Data>(count);
+    auto data = std::make_shared<ChangeData>(count);
     Group group;
     // The queue is given up past a sixteenth of the entities: from there on both ways are the sweep.
     for (const double percent : {0.0, 0.1, 1.0, 3.0, 6.0, 10.0, 50.0, 100.0}) {

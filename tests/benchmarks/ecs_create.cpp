@@ -6,8 +6,8 @@
 namespace hachure::bench {
 namespace {
 
-constexpr double limit_one_by_one = 4.0;
-constexpr double limit_in_bulk = 2.0;
+constexpr double create_limit_one_by_one = 4.0;
+constexpr double create_limit_in_bulk = 2.0;
 
 /// Times what `make` does to a fresh world, per entity.
 template <class F> double create(std::size_t count, F make) {
@@ -79,10 +79,10 @@ Group create_group(std::size_t count) {
     const std::string bulk = "create in bulk";
     Group group{"create: raw push_back", [count] { return create_raw(count); }, {}};
     group.cases = {
-        {"create: create_with(p v)", [count] { return create_with(count); }, single, limit_one_by_one},
-        {"create: create + add + add", [count] { return create_and_add(count); }, single, limit_one_by_one},
-        {"create: create_each", [count] { return create_each(count); }, bulk, limit_in_bulk},
-        {"create: create_many", [count] { return create_many(count); }, bulk, limit_in_bulk},
+        {"create: create_with(p v)", [count] { return create_with(count); }, single, create_limit_one_by_one},
+        {"create: create + add + add", [count] { return create_and_add(count); }, single, create_limit_one_by_one},
+        {"create: create_each", [count] { return create_each(count); }, bulk, create_limit_in_bulk},
+        {"create: create_many", [count] { return create_many(count); }, bulk, create_limit_in_bulk},
         {"create: create_with five components", [count] { return create_with_five(count); }, "", {}},
     };
     return group;

@@ -6,8 +6,8 @@
 namespace hachure::bench {
 namespace {
 
-constexpr double limit_one_by_one = 2.2;
-constexpr double limit_in_bulk = 1.0;
+constexpr double destroy_limit_one_by_one = 2.2;
+constexpr double destroy_limit_in_bulk = 1.0;
 
 /// Times what `end` does to a full world, per entity. `arrange` puts the handles into the order that it wants.
 template <class Arrange, class F> double destroy(std::size_t count, Arrange arrange, F end) {
@@ -45,12 +45,13 @@ Group destroy_group(std::size_t count) {
     Group group{"destroy: raw push_back", [count] { return create_raw(count); }, {}};
     group.cases = {
         {"destroy: in order of creation", [=] { return destroy(count, as_created, one_by_one); }, single,
-         limit_one_by_one},
+         destroy_limit_one_by_one},
         {"destroy: in reverse", [=] { return destroy(count, reversed, one_by_one); }, single, {}},
         {"destroy: in random order", [=] { return destroy(count, shuffled<Entity>, one_by_one); }, single, {}},
-        {"destroy: destroy_many", [=] { return destroy(count, as_created, many); }, bulk, limit_in_bulk},
-        {"destroy: destroy_matching", [=] { return destroy(count, as_created, matching); }, bulk, limit_in_bulk},
-        {"destroy: clear", [=] { return destroy(count, as_created, clear); }, bulk, limit_in_bulk},
+        {"destroy: destroy_many", [=] { return destroy(count, as_created, many); }, bulk, destroy_limit_in_bulk},
+        {"destroy: destroy_matching", [=] { return destroy(count, as_created, matching); }, bulk,
+         destroy_limit_in_bulk},
+        {"destroy: clear", [=] { return destroy(count, as_created, clear); }, bulk, destroy_limit_in_bulk},
     };
     return group;
 }

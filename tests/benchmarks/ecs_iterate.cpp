@@ -8,12 +8,12 @@
 namespace hachure::bench {
 namespace {
 
-constexpr double limit_over_raw = 1.2;
+constexpr double iterate_limit_over_raw = 1.2;
 
 /// The same data as arrays, in a world of one kind of entity, and in one where every second entity has a tag and every
 /// fourth a third component.
-struct Data {
-    explicit Data(std::size_t n) : count(n), repeats(std::max<std::size_t>(1, 200'000 / n)) {
+struct IterateData {
+    explicit IterateData(std::size_t n) : count(n), repeats(std::max<std::size_t>(1, 200'000 / n)) {
         for (std::size_t i = 0; i < n; ++i) {
             positions.push_back(component<Position>(i));
             velocities.push_back(component<Velocity>(i));
@@ -39,14 +39,14 @@ struct Data {
     World world, mixed;
 };
 
-double walk_raw(Data& data) {
+double walk_raw(IterateData& data) {
     return data.time(data.count, [&] {
         for (std::size_t i = 0; i < data.count; ++i) move_by(data.positions[i], data.velocities[i]);
         keep(*data.positions.data());
     });
 }
 
-double walk_range(Data& data) {
+double walk_range(IterateData& data) {
     return data.time(data.count, [&] {
         for (auto [entity, position, velocity] : data.world.query<Position, const Velocity>())
             move_by(position, velocity);
@@ -54,7 +54,7 @@ double walk_range(Data& data) {
     });
 }
 
-double walk_each(Data& data) {
+double walk_each(IterateData& data) {
     return data.time(data.count, [&] {
         data.world.query<Position, const Velocity>().each(
             [](Position& position, const Velocity& velocity) { move_by(position, velocity); });
@@ -62,7 +62,7 @@ double walk_each(Data& data) {
     });
 }
 
-double walk_reading(Data& data) {
+double walk_reading(IterateData& data) {
     return data.time(data.count, [&] {
         float sum = 0.0f;
         for (auto [entity, position, velocity] : data.world.query<const Position, const Velocity>())
@@ -71,7 +71,7 @@ double walk_reading(Data& data) {
     });
 }
 
-double walk_optional(Data& data) {
+double walk_optional(IterateData& data) {
     return data.time(data.count, [&] {
         for (auto [entity, position, extra] : data.mixed.query<Position, Optional<const Extra>>())
             position.x += extra ? extra->x : 1.0f;
@@ -79,7 +79,7 @@ double walk_optional(Data& data) {
     });
 }
 
-double walk_tagged(Data& data) {
+double walk_tagged(IterateData& data) {
     return data.time((data.count + 1) / 2, [&] {
         for (auto [entity, position, velocity] : data.mixed.query<Position, const Velocity, With<Tag>>())
             move_by(position, velocity);
@@ -88,7 +88,7 @@ double walk_tagged(Data& data) {
 }
 
 /// Per query: making one that nothing can match, and finding that out.
-double ask_for_nothing(Data& data) {
+double ask_for_nothing(IterateData& data) {
     constexpr int queries = 1000;
     std::size_t matches = 0;
     const Stopwatch watch;
@@ -101,12 +101,12 @@ double ask_for_nothing(Data& data) {
 } // namespace
 
 Group iterate_group(std::size_t count) {
-    auto data = std::make_shared<Data>(count);
+    auto data = std::make_shared<IterateData>(count);
     const std::string panel = "iterate two components";
     Group group{"iterate: raw arrays", [data] { return walk_raw(*data); }, {}};
     group.cases = {
-        {"iterate: range-for", [data] { return walk_range(*data); }, panel, limit_over_raw},
-        {"iterate: each", [data] { return walk_each(*data); }, panel, limit_over_raw},
+        {"iterate: range-for", [data] { return walk_range(*data); }, panel, iterate_limit_over_raw},
+        {"iterate: each", [data] { return walk_each(*data); }, panel, iterate_limit_over_raw},
         {"iterate: read only", [data] { return walk_reading(*data); }, "", {}},
         {"iterate: one of two optional", [data] { return walk_optional(*data); }, "", {}},
         {"iterate: the half with a tag", [data] { return walk_tagged(*data); }, "", {}},

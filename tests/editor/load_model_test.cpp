@@ -2,10 +2,9 @@
 #include <hachure/editor/load_model.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/capabilities.h>
+#include <hachure/tests/support/arm_model.h>
 
 #include <gtest/gtest.h>
-
-#include "../support/arm_model.h"
 
 namespace hachure::test {
 namespace {

@@ -1,6 +1,9 @@
 #include <hachure/components/edge_lines.h>
 #include <hachure/components/gooch.h>
 #include <hachure/runtime/assets/image_file.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
+#include <hachure/tests/support/picture_compare.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -9,16 +12,12 @@
 #include <set>
 #include <string>
 
-#include "../support/drawn_scene.h"
-#include "../support/gl_fixture.h"
-#include "../support/picture_compare.h"
-
 // Pictures that are kept: a still life, and sweeps of one parameter at a time. They are renewed with
 // HACHURE_UPDATE_GOLDENS=1 on the EGL back end; look at every one of them before it is committed.
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{256, 192};
+constexpr Canvas scene_canvas{256, 192};
 
 /// What all objects of the still life carry.
 struct Look {
@@ -34,7 +33,7 @@ SurfaceMaterial colored(glm::vec3 color) {
 
 /// Sphere, torus, cube and cylinder on a square, from a little above.
 assets::Image draw_still_life(gpu::Context& context, const Look& look) {
-    DrawnScene scene(context, canvas);
+    DrawnScene scene(context, scene_canvas);
     const auto turned = [](float angle, glm::vec3 axis) { return glm::angleAxis(angle, glm::normalize(axis)); };
     const std::vector<Entity> objects = {
         scene.add(surface_mesh(geometry::plane(5.0, 1), colored({0.7f, 0.7f, 0.7f}))),

@@ -1,25 +1,24 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/styles/style.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/given_models.h>
+#include <hachure/tests/support/gl_fixture.h>
+#include <hachure/tests/support/picture_compare.h>
 
 #include <algorithm>
 #include <filesystem>
-
-#include "../support/drawn_scene.h"
-#include "../support/given_models.h"
-#include "../support/gl_fixture.h"
-#include "../support/picture_compare.h"
 
 // Real models in the built-in style: EGL and OSMesa agree, and something is drawn. No picture of them is kept.
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{256, 192};
+constexpr Canvas model_canvas{256, 192};
 
 assets::Image draw_model(gpu::Context& context, const assets::Model& model) {
-    DrawnScene scene(context, canvas);
+    DrawnScene scene(context, model_canvas);
     const SpawnedModel spawned = spawn_model(scene.world(), model);
-    if (spawned.cameras.empty()) spawn_framing_camera(scene.world(), spawned.points, canvas);
+    if (spawned.cameras.empty()) spawn_framing_camera(scene.world(), spawned.points, model_canvas);
     if (spawned.lights.empty()) spawn_default_light(scene.world());
     apply_style(scene.world(), scene.app().types(), find_style(scene.app().types(), "gooch"));
     return scene.draw();
@@ -36,11 +35,12 @@ void expect_alike(const std::filesystem::path& file) {
     if (!osmesa) GTEST_SKIP() << "no OSMesa context: " << reason;
     EXPECT_TRUE(same_driver_gate(on_egl, draw_model(*osmesa, model)));
     const std::uint8_t* bytes = on_egl.u8();
-    const auto drawn =
-        std::count_if(bytes, bytes + canvas.width * canvas.height * 3, [](std::uint8_t v) { return v != 255; });
-    EXPECT_GT(drawn, canvas.width * canvas.height / 10) << "next to nothing is drawn";
-    EXPECT_TRUE(std::any_of(bytes, bytes + canvas.width * canvas.height * 3, [](std::uint8_t v) { return v < 16; }))
-        << "no line is drawn";
+    const auto drawn = std::count_if(bytes, bytes + model_canvas.width * model_canvas.height * 3,
+                                     [](std::uint8_t v) { return v != 255; });
+    EXPECT_GT(drawn, model_canvas.width * model_canvas.height / 10) << "next to nothing is drawn";
+    EXPECT_TRUE(std::any_of(bytes, bytes + model_canvas.width * model_canvas.height * 3, [](std::uint8_t v) {
+        return v < 16;
+    })) << "no line is drawn";
 }
 
 TEST(Models, BunnyIsAlikeOnEglAndOsMesa) {

@@ -2,6 +2,9 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/styles/style.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/given_models.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <gtest/gtest.h>
 
@@ -10,31 +13,27 @@
 #include <string>
 #include <vector>
 
-#include "../support/drawn_scene.h"
-#include "../support/given_models.h"
-#include "../support/gl_fixture.h"
-
 // Outlines of real models are whole: wherever a surface meets the background, a line is beside it.
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{640, 480};
+constexpr Canvas outline_canvas{640, 480};
 
 /// A model as drawn: which pixels belong to it, and which are dark enough to be a line.
 struct Drawing {
     std::vector<bool> object, line;
 
     [[nodiscard]] bool at(const std::vector<bool>& mask, int x, int y) const {
-        return mask[static_cast<std::size_t>(y) * canvas.width + static_cast<std::size_t>(x)];
+        return mask[static_cast<std::size_t>(y) * outline_canvas.width + static_cast<std::size_t>(x)];
     }
 };
 
 Drawing draw(gpu::Context& context, const assets::Model& model, float line_width = 2.0f) {
-    DrawnScene scene(context, canvas);
+    DrawnScene scene(context, outline_canvas);
     const SpawnedModel spawned = spawn_model(scene.world(), model);
     // Frames the model itself, so that all of its outline is in the picture.
     for (const Entity camera : spawned.cameras) scene.world().remove<Camera>(camera);
-    spawn_framing_camera(scene.world(), spawned.points, canvas);
+    spawn_framing_camera(scene.world(), spawned.points, outline_canvas);
     apply_style(scene.world(), scene.app().types(), find_style(scene.app().types(), "gooch"));
     for (auto [entity, lines] : scene.world().query<EdgeLines>()) lines.width = line_width;
     scene.renderer().request_aov("object_id");
@@ -42,7 +41,7 @@ Drawing draw(gpu::Context& context, const assets::Model& model, float line_width
     scene.renderer().render_frame();
     const assets::Image ids = scene.renderer().read_aov("object_id"), color = scene.renderer().read_aov("color");
     Drawing drawing;
-    for (int i = 0; i < canvas.width * canvas.height; ++i) {
+    for (int i = 0; i < outline_canvas.width * outline_canvas.height; ++i) {
         drawing.object.push_back(ids.f32()[i] > 0.0f);
         // Gooch's tones are no darker than .2 in their largest channel, whatever the object's colour.
         const float* rgb = color.f32() + 3 * i;
@@ -54,7 +53,7 @@ Drawing draw(gpu::Context& context, const assets::Model& model, float line_width
 bool line_near(const Drawing& drawing, int x, int y) {
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
-            if (x + dx >= 0 && x + dx < canvas.width && y + dy >= 0 && y + dy < canvas.height &&
+            if (x + dx >= 0 && x + dx < outline_canvas.width && y + dy >= 0 && y + dy < outline_canvas.height &&
                 drawing.at(drawing.line, x + dx, y + dy))
                 return true;
     return false;
@@ -67,8 +66,8 @@ struct OutlineCount {
 
 OutlineCount count_outline(const Drawing& drawing) {
     OutlineCount count;
-    for (int y = 1; y + 1 < canvas.height; ++y)
-        for (int x = 1; x + 1 < canvas.width; ++x) {
+    for (int y = 1; y + 1 < outline_canvas.height; ++y)
+        for (int x = 1; x + 1 < outline_canvas.width; ++x) {
             if (!drawing.at(drawing.object, x, y)) continue;
             const bool rim = !drawing.at(drawing.object, x - 1, y) || !drawing.at(drawing.object, x + 1, y) ||
                              !drawing.at(drawing.object, x, y - 1) || !drawing.at(drawing.object, x, y + 1);

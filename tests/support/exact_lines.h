@@ -135,12 +135,13 @@ private:
         const int count = std::max(8, static_cast<int>(std::ceil(length * 4.0)));
         const std::size_t first = lines.seen.size();
         const double step = length / count;
+        std::uint32_t hider = 0;
         for (int i = 0; i < count; ++i) {
             const double t = (i + 0.5) / count;
             // Even on the screen: the clip w weighs the ends.
             const double s = t * a.w / (t * a.w + (1.0 - t) * b.w);
             const glm::dvec3 world = glm::mix(edge.start, edge.end, s);
-            const double hit = tree_.first_hit(glm::dvec3(view.eye), world, 1.0 - 1e-7, 1.0 - 1e-5);
+            const double hit = tree_.first_hit(glm::dvec3(view.eye), world, 1.0 - 1e-7, 1.0 - 1e-5, hider);
             if (hit >= 1.0 - 1e-5) lines.allowed.push_back(glm::mix(p, q, t));
             if (hit >= 1.0 - 1e-7) lines.seen.push_back(glm::mix(p, q, t));
         }

@@ -32,10 +32,14 @@ public:
     }
 
     /// How far along the way from `eye` to `point` (0 to 1) the first triangle is that hides; at least `until` when
-    /// there is none before that. Stops at any hit before `enough`.
-    [[nodiscard]] double first_hit(const glm::dvec3& eye, const glm::dvec3& point, double until, double enough) const {
+    /// there is none before that. Stops at any hit before `enough`. The triangle `hider` (0 to begin with) is asked
+    /// first, and is left as the one that hides: it mostly hides the next point of a line, too.
+    [[nodiscard]] double first_hit(const glm::dvec3& eye, const glm::dvec3& point, double until, double enough,
+                                   std::uint32_t& hider) const {
         const glm::dvec3 way = point - eye, inverse = 1.0 / way;
         double nearest = until;
+        if (hider < triangles_.size()) nearest = std::min(nearest, hit(triangles_[hider], eye, way));
+        if (nearest < enough) return nearest;
         std::array<std::uint32_t, 64> pending{};
         std::size_t count = nodes_.empty() ? 0 : 1;
         while (count > 0) {
@@ -44,9 +48,12 @@ public:
             const glm::dvec3 enter = glm::min(a, b), leave = glm::max(a, b);
             if (std::max({enter.x, enter.y, enter.z, 0.0}) > std::min({leave.x, leave.y, leave.z, nearest})) continue;
             if (node.count > 0) {
-                for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+                for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
                     nearest = std::min(nearest, hit(triangles_[order_[i]], eye, way));
-                if (nearest < enough) return nearest;
+                    if (nearest >= enough) continue;
+                    hider = order_[i];
+                    return nearest;
+                }
                 continue;
             }
             pending[count++] = node.first;

@@ -3,13 +3,12 @@
 #include <hachure/components/gooch.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/render_context.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
+#include <hachure/tests/support/picture_compare.h>
 
 #include <functional>
 #include <set>
-
-#include "../support/drawn_scene.h"
-#include "../support/gl_fixture.h"
-#include "../support/picture_compare.h"
 
 // What a frame does and leaves out, on the real passes.
 namespace hachure::test {

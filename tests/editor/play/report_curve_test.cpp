@@ -11,7 +11,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t occurrences(const std::string& text, const std::string& part) {
     std::size_t found = 0;
     for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
     return found;
@@ -38,7 +38,7 @@ TEST(ReportCurve, FramesOutsideTheLimitsAreShaded) {
     const Curve curve{.name = "c", .values = {1, 9, 9, 1, -3, 1, 1, 1, 1, 1, 1}, .at_least = 0.0, .at_most = 8.0};
     const std::string html = html_curve(curve);
     EXPECT_EQ(frames_outside(curve), (std::vector<std::int64_t>{1, 2, 4}));
-    EXPECT_EQ(count(html, "class=\"band\""), 2u);
+    EXPECT_EQ(occurrences(html, "class=\"band\""), 2u);
     EXPECT_NE(html.find("left:5.000%;width:20.000%"), std::string::npos) << html; // frames 1 and 2, half way around
     EXPECT_NE(html.find("left:35.000%;width:10.000%"), std::string::npos) << html;
     EXPECT_NE(html.find("at most 8"), std::string::npos);
@@ -48,13 +48,15 @@ TEST(ReportCurve, FramesOutsideTheLimitsAreShaded) {
 
 TEST(ReportCurve, WithoutLimitsNothingIsWrong) {
     const std::string html = html_curve({.name = "c", .values = {1, 900, nan}});
-    EXPECT_EQ(count(html, "class=\"band\"") + count(html, "class=\"zone\"") + count(html, "class=\"limit"), 0u);
+    EXPECT_EQ(occurrences(html, "class=\"band\"") + occurrences(html, "class=\"zone\"") +
+                  occurrences(html, "class=\"limit"),
+              0u);
 }
 
 TEST(ReportCurve, WhatIsNoNumberInterruptsTheLine) {
     const std::string html = html_curve({.name = "c", .values = {1, nan, 2, 3, infinite, 1}, .at_most = 5.0});
-    EXPECT_EQ(count(html, "M"), 3u);
-    EXPECT_EQ(count(html, "class=\"band\""), 2u) << "neither is at most 5";
+    EXPECT_EQ(occurrences(html, "M"), 3u);
+    EXPECT_EQ(occurrences(html, "class=\"band\""), 2u) << "neither is at most 5";
     EXPECT_NE(html.find("data-values=\"1 x 2 3 x 1\""), std::string::npos);
 }
 
@@ -68,7 +70,7 @@ TEST(ReportCurve, DrawsWhateverItIsGiven) {
             EXPECT_EQ(html.find("nan"), std::string::npos) << html;
             EXPECT_EQ(html.find("inf"), std::string::npos) << html;
             EXPECT_EQ(html.find("<c>"), std::string::npos) << html;
-            EXPECT_LE(count(html, "class=\"grid\""), 12u) << html;
+            EXPECT_LE(occurrences(html, "class=\"grid\""), 12u) << html;
         }
 }
 

@@ -14,7 +14,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// idle <-> walk by speed, jump from anywhere by a trigger, and back to idle when the jump is over.
 enum : std::uint32_t { idle, walk, jump };
@@ -212,7 +212,7 @@ TEST(StateMachine, ComparesInEveryWay) {
         EXPECT_EQ(taken(2.0f), c.at);
         EXPECT_EQ(taken(3.0f), c.above);
         EXPECT_EQ(taken(0.0f), c.comparison == Comparison::not_set || c.below != (c.comparison == Comparison::set));
-        EXPECT_FALSE(taken(nan));
+        EXPECT_FALSE(taken(not_a_number));
     }
 }
 
@@ -304,18 +304,21 @@ TEST(CheckStateMachine, NamesWhatIsWrong) {
     };
     EXPECT_THAT(faults([](StateMachine& m) { m.states[1].name = "idle"; }), Contains(HasSubstr("two states")));
     EXPECT_THAT(faults([](StateMachine& m) { m.parameters[1].name = "speed"; }), Contains(HasSubstr("two parameters")));
-    EXPECT_THAT(faults([](StateMachine& m) { m.parameters[0].initial = nan; }), Contains(HasSubstr("'speed'")));
-    EXPECT_THAT(faults([](StateMachine& m) { m.states[1].playback.speed = nan; }), Contains(HasSubstr("'walk'")));
+    EXPECT_THAT(faults([](StateMachine& m) { m.parameters[0].initial = not_a_number; }),
+                Contains(HasSubstr("'speed'")));
+    EXPECT_THAT(faults([](StateMachine& m) { m.states[1].playback.speed = not_a_number; }),
+                Contains(HasSubstr("'walk'")));
     EXPECT_THAT(faults([](StateMachine& m) { m.states[1].playback.duration = -1; }), Contains(HasSubstr("'walk'")));
     EXPECT_THAT(faults([](StateMachine& m) { m.transitions[1].from = 3; }), Contains(HasSubstr("transition 1 starts")));
     EXPECT_THAT(faults([](StateMachine& m) { m.transitions[1].from = -2; }),
                 Contains(HasSubstr("transition 1 starts")));
     EXPECT_THAT(faults([](StateMachine& m) { m.transitions[1].to = 3; }), Contains(HasSubstr("transition 1 leads")));
     EXPECT_THAT(faults([](StateMachine& m) { m.transitions[2].duration = -1; }), Contains(HasSubstr("transition 2")));
-    EXPECT_THAT(faults([](StateMachine& m) { m.transitions[3].exit_time = nan; }), Contains(HasSubstr("exit time")));
+    EXPECT_THAT(faults([](StateMachine& m) { m.transitions[3].exit_time = not_a_number; }),
+                Contains(HasSubstr("exit time")));
     EXPECT_THAT(faults([](StateMachine& m) { m.transitions[1].conditions[0].parameter = 3; }),
                 Contains(HasSubstr("asks for no parameter")));
-    EXPECT_THAT(faults([](StateMachine& m) { m.transitions[1].conditions[0].value = nan; }),
+    EXPECT_THAT(faults([](StateMachine& m) { m.transitions[1].conditions[0].value = not_a_number; }),
                 Contains(HasSubstr("compares with no number")));
     EXPECT_EQ(find_state(hero(), "walk"), walk);
     EXPECT_EQ(find_state(hero(), "swim"), std::nullopt);

@@ -21,7 +21,7 @@ Image noise_u8(int width, int height, int channels) {
     return image;
 }
 
-std::string fault(const std::filesystem::path& file) {
+std::string image_fault(const std::filesystem::path& file) {
     try {
         static_cast<void>(read_image(file));
     } catch (const Error& error) {
@@ -94,10 +94,10 @@ TEST(ImageFile, BrokenFilesAreRefusedByName) {
     const std::string whole = test::file_text(folder / "whole.png");
     for (std::size_t part = 0; part < 8; ++part) {
         const auto file = folder.write("cut.png", whole.substr(0, whole.size() * part / 8));
-        EXPECT_TRUE(fault(file).starts_with(file.string() + ": ")) << part << ": " << fault(file);
+        EXPECT_TRUE(image_fault(file).starts_with(file.string() + ": ")) << part << ": " << image_fault(file);
     }
-    EXPECT_TRUE(fault(folder / "absent.png").starts_with((folder / "absent.png").string() + ": "));
-    EXPECT_TRUE(fault(folder.path()).starts_with(folder.path().string() + ": "));
+    EXPECT_TRUE(image_fault(folder / "absent.png").starts_with((folder / "absent.png").string() + ": "));
+    EXPECT_TRUE(image_fault(folder.path()).starts_with(folder.path().string() + ": "));
 }
 
 /// A BMP header alone, which claims `side` x `side` pixels.
@@ -118,7 +118,7 @@ std::string bmp_header(std::int32_t side) {
 TEST(ImageFile, HugeClaimsAreRefusedBeforeTheyCost) {
     const TempFolder folder;
     const auto file = folder.write("huge.bmp", bmp_header(60000));
-    EXPECT_TRUE(fault(file).starts_with(file.string() + ": ")) << fault(file);
+    EXPECT_TRUE(image_fault(file).starts_with(file.string() + ": ")) << image_fault(file);
 }
 
 TEST(ImageFile, WritesNothingWhereItCannot) {

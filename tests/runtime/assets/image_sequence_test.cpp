@@ -15,7 +15,7 @@ using test::TempFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string fault(const std::function<void()>& what) {
+std::string sequence_fault(const std::function<void()>& what) {
     try {
         what();
     } catch (const Error& error) {
@@ -54,10 +54,10 @@ TEST(NumberedFiles, NameWhatIsWrong) {
     EXPECT_FALSE(is_numbered_name(folder / "a#.png")) << "a file that is called so is that file";
     EXPECT_TRUE(is_numbered_name(folder / "b#.png"));
     EXPECT_FALSE(is_numbered_name(folder / "b.png"));
-    EXPECT_THAT(fault([&] { numbers(folder / "b.###.png"); }),
+    EXPECT_THAT(sequence_fault([&] { numbers(folder / "b.###.png"); }),
                 HasSubstr("b.###.png: names no file that is there, such as b.001.png"));
-    EXPECT_THAT(fault([&] { numbers(folder / "b#.##.png"); }), HasSubstr("b#.##.png: "));
-    EXPECT_THAT(fault([&] { numbers(folder / "absent/b.#.png"); }), HasSubstr("absent/b.#.png: "));
+    EXPECT_THAT(sequence_fault([&] { numbers(folder / "b#.##.png"); }), HasSubstr("b#.##.png: "));
+    EXPECT_THAT(sequence_fault([&] { numbers(folder / "absent/b.#.png"); }), HasSubstr("absent/b.#.png: "));
 }
 
 void write_frame(const std::filesystem::path& file, std::vector<std::string> channels, float value, int width = 1) {
@@ -86,7 +86,7 @@ TEST(ImageSequence, FilesThatDifferAreNamed) {
     const TempFolder folder;
     const std::vector<std::string> channels{"R", "G", "B", "Z"};
     for (const char* name : {"s.1.exr", "s.2.exr", "s.3.exr"}) write_frame(folder / name, channels, 1.0f);
-    const auto opened = [&] { return fault([&] { static_cast<void>(ImageSequence(folder / "s.#.exr")); }); };
+    const auto opened = [&] { return sequence_fault([&] { static_cast<void>(ImageSequence(folder / "s.#.exr")); }); };
     EXPECT_EQ(opened(), "none");
     write_frame(folder / "s.3.exr", channels, 1.0f, 2);
     EXPECT_THAT(opened(), HasSubstr("s.3.exr: has 2x1 pixels, not the 1x1 that the sequence's first, s.1.exr, has"));
@@ -97,7 +97,7 @@ TEST(ImageSequence, FilesThatDifferAreNamed) {
     write_frame(folder / "s.3.exr", channels, 1.0f);
     const ImageSequence sequence(folder / "s.#.exr");
     write_frame(folder / "s.2.exr", channels, 1.0f, 2);
-    EXPECT_THAT(fault([&] { static_cast<void>(sequence.read_frame(1, {.color = true})); }),
+    EXPECT_THAT(sequence_fault([&] { static_cast<void>(sequence.read_frame(1, {.color = true})); }),
                 HasSubstr("s.2.exr: has another size"));
 }
 

@@ -29,7 +29,7 @@ std::vector<float> values(const std::optional<Image>& image) {
     return {image->f32(), image->f32() + image->pixels.size() / sizeof(float)};
 }
 
-std::string fault(const std::function<void()>& what) {
+std::string layered_fault(const std::function<void()>& what) {
     try {
         what();
     } catch (const Error& error) {
@@ -209,7 +209,7 @@ TEST(LayeredImage, WhatIsNoNumberHasItsPlace) {
         ExrPart part{.channels = layered, .values = std::vector<float>(8 * 12, 1.0f), .width = 4, .height = 3};
         part.values[8 * (4 * 1 + 2) + channel] = value;
         write_exr_parts(folder / "i.exr", {part});
-        return fault([&] { static_cast<void>(read_layers(folder / "i.exr", all)); });
+        return layered_fault([&] { static_cast<void>(read_layers(folder / "i.exr", all)); });
     };
     const std::string start = (folder / "i.exr").string() + ": has values that are not finite ";
     EXPECT_EQ(fault_with(1, nan), start + "(color, channel G, column 2, row 1)");
@@ -229,17 +229,17 @@ TEST(LayeredImage, BrokenFilesAreRefusedByName) {
     const std::string whole = test::file_text(folder / "whole.exr");
     for (std::size_t part = 0; part < 8; ++part) {
         const auto file = folder.write("cut.exr", whole.substr(0, whole.size() * part / 8));
-        EXPECT_THAT(fault([&] { static_cast<void>(read_layers(file, all)); }),
+        EXPECT_THAT(layered_fault([&] { static_cast<void>(read_layers(file, all)); }),
                     testing::StartsWith(file.string() + ": "));
     }
-    EXPECT_THAT(fault([&] { static_cast<void>(read_image_info(folder / "absent.exr")); }),
+    EXPECT_THAT(layered_fault([&] { static_cast<void>(read_image_info(folder / "absent.exr")); }),
                 HasSubstr("absent.exr: is not a file that can be read"));
     const ExrPart huge{
         .channels = {"R"}, .values = {1}, .width = 1, .height = 1, .full_width = 60000, .full_height = 60000};
     write_exr_parts(folder / "huge.exr", {huge});
-    EXPECT_THAT(fault([&] { static_cast<void>(read_layers(folder / "huge.exr", all)); }),
+    EXPECT_THAT(layered_fault([&] { static_cast<void>(read_layers(folder / "huge.exr", all)); }),
                 HasSubstr("is too large: 60000x60000"));
-    EXPECT_THAT(fault([&] { static_cast<void>(read_image(folder / "huge.exr")); }), HasSubstr("is too large"));
+    EXPECT_THAT(layered_fault([&] { static_cast<void>(read_image(folder / "huge.exr")); }), HasSubstr("is too large"));
 }
 
 /// Bytes changed one or a few at a time, most of them in the header: read, or refused with the file's name.

@@ -52,7 +52,7 @@ TEST_F(Off, ReadsNormalsAndTextureCoordinates) {
     EXPECT_EQ(only(model).colors[0], glm::vec4(1, 0, 0, 1));
 }
 
-std::string binary() {
+std::string binary_off() {
     Bytes b(true);
     b.text("NOFF BINARY\n").add(4).add(2).add(0);
     for (int i = 0; i < 4; ++i)
@@ -64,7 +64,7 @@ std::string binary() {
 }
 
 TEST_F(Off, ReadsBinary) {
-    const Model model = read(binary());
+    const Model model = read(binary_off());
     EXPECT_THAT(only(model).positions, SizeIs(4));
     EXPECT_EQ(only(model).positions[2], glm::vec3(1, 1, 0));
     EXPECT_THAT(only(model).normals, SizeIs(4));
@@ -72,7 +72,7 @@ TEST_F(Off, ReadsBinary) {
 }
 
 TEST_F(Off, EveryTruncationOfABinaryFileIsRefused) {
-    const std::string whole = binary();
+    const std::string whole = binary_off();
     for (std::size_t size = 1; size < whole.size(); ++size) EXPECT_FALSE(fault(whole.substr(0, size)).empty()) << size;
 }
 

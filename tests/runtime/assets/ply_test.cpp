@@ -76,7 +76,7 @@ TEST_F(Ply, ReadsAttributesInAnyOrderAndSkipsTheRest) {
 }
 
 /// One file with every type of number, and what it must give.
-template <bool big> std::string binary() {
+template <bool big> std::string binary_ply() {
     Bytes b(big);
     b.text(header(big ? "binary_big_endian" : "binary_little_endian",
                   "element vertex 4\nproperty double x\nproperty short y\nproperty char z\nproperty ushort red\n"
@@ -95,7 +95,7 @@ template <bool big> std::string binary() {
 }
 
 TEST_F(Ply, ReadsBinaryOfEitherByteOrder) {
-    for (const std::string& file : {binary<false>(), binary<true>()}) {
+    for (const std::string& file : {binary_ply<false>(), binary_ply<true>()}) {
         const Model model = read(file);
         const Primitive& p = only(model);
         EXPECT_THAT(p.positions, ElementsAre(glm::vec3(0, 0, 0), glm::vec3(1.5f, 0, -1), glm::vec3(1.5f, -300, -2),
@@ -107,7 +107,7 @@ TEST_F(Ply, ReadsBinaryOfEitherByteOrder) {
 }
 
 TEST_F(Ply, EveryTruncationOfABinaryFileIsRefused) {
-    const std::string whole = binary<false>();
+    const std::string whole = binary_ply<false>();
     for (std::size_t size = 1; size < whole.size(); ++size) EXPECT_FALSE(fault(whole.substr(0, size)).empty()) << size;
 }
 

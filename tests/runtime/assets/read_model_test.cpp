@@ -12,7 +12,7 @@
 namespace hachure::assets {
 namespace {
 
-std::string fault(const std::filesystem::path& file) {
+std::string model_fault(const std::filesystem::path& file) {
     try {
         static_cast<void>(read_model(file));
     } catch (const Error& error) {
@@ -32,10 +32,10 @@ TEST(ReadModel, KindFollowsTheExtension) {
 TEST(ReadModel, NamesTheFault) {
     const test::TempFolder folder;
     std::filesystem::create_directory(folder / "d.obj");
-    EXPECT_EQ(fault(folder / "absent.obj"), (folder / "absent.obj").string() + ": there is no such file");
-    EXPECT_EQ(fault(folder / "d.obj"), (folder / "d.obj").string() + ": is a folder, not a model");
-    EXPECT_TRUE(
-        fault(folder.write("t.txt", "text")).starts_with((folder / "t.txt").string() + ": is not a kind of model"));
+    EXPECT_EQ(model_fault(folder / "absent.obj"), (folder / "absent.obj").string() + ": there is no such file");
+    EXPECT_EQ(model_fault(folder / "d.obj"), (folder / "d.obj").string() + ": is a folder, not a model");
+    EXPECT_TRUE(model_fault(folder.write("t.txt", "text"))
+                    .starts_with((folder / "t.txt").string() + ": is not a kind of model"));
 }
 
 TEST(ReadModel, GivesNormalsToAMeshWithout) {

@@ -22,7 +22,7 @@ protected:
     std::string fault(std::string_view text) { return MeshFileTest::fault(read_stl, write("model.stl", text)); }
 };
 
-std::string binary(const geometry::Shape& shape, std::string_view start, const glm::vec3& normal = {0, 0, 0}) {
+std::string binary_stl(const geometry::Shape& shape, std::string_view start, const glm::vec3& normal = {0, 0, 0}) {
     Bytes b;
     const std::string header = std::string(start) + std::string(80 - start.size(), ' ');
     b.text(header).add(static_cast<std::uint32_t>(shape.indices.size() / 3));
@@ -44,7 +44,7 @@ std::string text(std::string_view facets) {
 TEST_F(Stl, ReadsBinaryWhateverItsHeaderSays) {
     const geometry::Shape shape = geometry::icosphere(1.0, 2);
     for (const std::string_view start : {"", "solid model", "COLOR="}) {
-        const Model model = read(binary(shape, start));
+        const Model model = read(binary_stl(shape, start));
         EXPECT_THAT(only(model).positions, SizeIs(162)) << start;
         EXPECT_TRUE(geometry::inspect(only(model).positions, only(model).indices).watertight()) << start;
         EXPECT_THAT(model.warnings, IsEmpty());
@@ -64,18 +64,18 @@ TEST_F(Stl, ReadsTextAndWeldsIt) {
 
 TEST_F(Stl, TheWindingDecidesAndTheNormalIsCompared) {
     const geometry::Shape shape = geometry::plane(1.0, 2); // faces +Y
-    EXPECT_THAT(read(binary(shape, "", {0, 1, 0})).warnings, IsEmpty());
-    const Model model = read(binary(shape, "", {0, -1, 0}));
+    EXPECT_THAT(read(binary_stl(shape, "", {0, 1, 0})).warnings, IsEmpty());
+    const Model model = read(binary_stl(shape, "", {0, -1, 0}));
     EXPECT_THAT(model.warnings, ElementsAre("8 facet normals oppose the winding, which decides"));
     EXPECT_THAT(only(model).normals, IsEmpty());
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_THAT(read(binary(shape, "", glm::vec3(nan))).warnings, IsEmpty());
+    EXPECT_THAT(read(binary_stl(shape, "", glm::vec3(nan))).warnings, IsEmpty());
 }
 
 TEST_F(Stl, KeepsTrianglesThatRepeatAVertex) {
     geometry::Shape shape = geometry::plane(1.0, 1);
     shape.indices.insert(shape.indices.end(), {0, 0, 1});
-    const Model model = read(binary(shape, ""));
+    const Model model = read(binary_stl(shape, ""));
     EXPECT_THAT(only(model).indices, SizeIs(9));
     EXPECT_THAT(model.warnings, ElementsAre("1 triangles repeat a vertex"));
 }
@@ -90,14 +90,14 @@ TEST_F(Stl, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(fault(text("facet normal 0 0 x\n")), "expected a number (line 2)");
     EXPECT_EQ(fault(text("facet normal 0 0 1\nouter loop\nvertex 0 0 inf\n")), "a position is not finite (line 4)");
     EXPECT_EQ(fault("solid\nfacet normal 0 0"), "truncated (line 2)");
-    const std::string whole = binary(geometry::plane(1.0, 1), "");
+    const std::string whole = binary_stl(geometry::plane(1.0, 1), "");
     EXPECT_THAT(fault(whole.substr(0, whole.size() - 1)), StartsWith("truncated: it claims 2 facets"));
     std::string huge = whole;
     huge.replace(80, 4, "\xff\xff\xff\xff");
     EXPECT_THAT(fault(huge), StartsWith("truncated: it claims 4294967295 facets"));
     geometry::Shape infinite = geometry::plane(1.0, 1);
     infinite.positions[0].x = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(fault(binary(infinite, "")), "a position is not finite (byte 84)");
+    EXPECT_EQ(fault(binary_stl(infinite, "")), "a position is not finite (byte 84)");
 }
 
 } // namespace

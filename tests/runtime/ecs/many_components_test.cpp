@@ -17,8 +17,8 @@ namespace {
 
 using namespace test;
 
-struct InTable {};
-struct Sparse {
+struct NumberedInTable {};
+struct NumberedSparse {
     static constexpr auto storage = Storage::sparse;
 };
 
@@ -43,8 +43,8 @@ TEST(ManyComponentsTest, WorldsWidenWithTypes) {
         world.add(all, C{{}, n + 1});
         singles.push_back(world.create_with(C{{}, n + 2}, Label{"single"}));
     };
-    for_numbered<InTable>(use, std::make_index_sequence<many>());
-    for_numbered<Sparse>(use, std::make_index_sequence<many>());
+    for_numbered<NumberedInTable>(use, std::make_index_sequence<many>());
+    for_numbered<NumberedSparse>(use, std::make_index_sequence<many>());
     std::size_t next = 0;
     const auto check = [&]<class C>(std::size_t i) {
         const auto n = static_cast<std::uint32_t>(i);
@@ -52,16 +52,16 @@ TEST(ManyComponentsTest, WorldsWidenWithTypes) {
         EXPECT_EQ(world.get<C>(singles[next++]).value, n + 2);
         EXPECT_EQ(world.query<const C>().count(), 2u);
         EXPECT_EQ((world.query<const C, With<Label>>().count()), 1u);
-        EXPECT_TRUE((world.query<const C, Without<Numbered<0, InTable>>>().count()) <= 1u);
+        EXPECT_TRUE((world.query<const C, Without<Numbered<0, NumberedInTable>>>().count()) <= 1u);
     };
-    for_numbered<InTable>(check, std::make_index_sequence<many>());
-    for_numbered<Sparse>(check, std::make_index_sequence<many>());
+    for_numbered<NumberedInTable>(check, std::make_index_sequence<many>());
+    for_numbered<NumberedSparse>(check, std::make_index_sequence<many>());
     const Entity copy = world.instantiate(all);
-    for_numbered<InTable>([&]<class C>(std::size_t i) { EXPECT_EQ(world.get<C>(copy).value, i + 1); },
-                          std::make_index_sequence<many>());
-    for_numbered<InTable>([&]<class C>(std::size_t) { EXPECT_TRUE(world.remove<C>(all)); },
-                          std::make_index_sequence<many>());
-    EXPECT_EQ((world.get<Numbered<7, Sparse>>(all).value), 8u);
+    for_numbered<NumberedInTable>([&]<class C>(std::size_t i) { EXPECT_EQ(world.get<C>(copy).value, i + 1); },
+                                  std::make_index_sequence<many>());
+    for_numbered<NumberedInTable>([&]<class C>(std::size_t) { EXPECT_TRUE(world.remove<C>(all)); },
+                                  std::make_index_sequence<many>());
+    EXPECT_EQ((world.get<Numbered<7, NumberedSparse>>(all).value), 8u);
 }
 
 TEST(ManyComponentsTest, AThousandTables) {
@@ -69,10 +69,10 @@ TEST(ManyComponentsTest, AThousandTables) {
     constexpr std::size_t bits = 10;
     constexpr std::size_t sets = 1 << bits;
     std::vector<Entity> entities;
-    const auto kept = world.query<const Numbered<3, InTable>, Without<Numbered<5, InTable>>>();
+    const auto kept = world.query<const Numbered<3, NumberedInTable>, Without<Numbered<5, NumberedInTable>>>();
     for (std::size_t set = 0; set < 3 * sets; ++set) {
         const Entity entity = world.create();
-        for_numbered<InTable>(
+        for_numbered<NumberedInTable>(
             [&]<class C>(std::size_t i) {
                 if (set >> i & 1) world.add(entity, C{{}, static_cast<std::uint32_t>(set)});
             },
@@ -80,7 +80,7 @@ TEST(ManyComponentsTest, AThousandTables) {
         entities.push_back(entity);
     }
     for (std::size_t set = 0; set < 3 * sets; ++set)
-        for_numbered<InTable>(
+        for_numbered<NumberedInTable>(
             [&]<class C>(std::size_t i) {
                 const C* found = world.find<C>(entities[set]);
                 ASSERT_EQ(found != nullptr, (set >> i & 1) != 0);
@@ -93,7 +93,8 @@ TEST(ManyComponentsTest, AThousandTables) {
     std::size_t visits = 0;
     kept.each([&](const auto&) { ++visits; });
     EXPECT_EQ(visits, 3 * sets / 4);
-    EXPECT_EQ((world.query<AnyOf<Numbered<0, InTable>, Numbered<1, InTable>>>().count()), 3 * sets * 3 / 4);
+    EXPECT_EQ((world.query<AnyOf<Numbered<0, NumberedInTable>, Numbered<1, NumberedInTable>>>().count()),
+              3 * sets * 3 / 4);
     world.destroy_matching(kept);
     EXPECT_EQ(world.size(), 3 * sets * 3 / 4);
 }

@@ -90,7 +90,7 @@ Shape tangle(std::uint32_t seed, float where) {
     return shape;
 }
 
-std::vector<Shape> shapes() {
+std::vector<Shape> tree_shapes() {
     return {icosphere(1.0, 4),
             torus(1.0, 0.4, 40, 24),
             irregular_torus(1.0, 0.4, 60, 30, 0.4, 5),
@@ -118,7 +118,7 @@ std::vector<glm::vec4> random_eyes(int count, std::uint32_t seed) {
 }
 
 TEST(PlaneTree, ChoosesWhatThePlainLoopChooses) {
-    for (const Shape& shape : shapes()) {
+    for (const Shape& shape : tree_shapes()) {
         Both both{LineMesh(shape)};
         std::uint32_t masks = 0;
         for (const glm::vec4& eye : random_eyes(600, 3)) {

@@ -10,7 +10,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Closed {
     std::string name;

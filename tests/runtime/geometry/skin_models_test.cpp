@@ -39,7 +39,7 @@ std::vector<double> sample(const assets::AnimationChannel& channel, float time) 
 }
 
 /// A model's nodes in some pose.
-struct Pose {
+struct ModelPose {
     std::vector<assets::Node> nodes;
 
     void play(const assets::Animation& clip, float time) {
@@ -82,13 +82,13 @@ reference::VertexJoints influences(const assets::Primitive& primitive, std::size
     return reference::normalised(joints);
 }
 
-struct Errors {
+struct SkinErrors {
     double position = 0.0; ///< largest, over the size of the posed mesh
     double normal = 0.0;   ///< largest, radians
     std::size_t vertices = 0;
 };
 
-void compare(const assets::Primitive& primitive, const assets::Skin& skin, const Pose& pose, Errors& errors) {
+void compare(const assets::Primitive& primitive, const assets::Skin& skin, const ModelPose& pose, SkinErrors& errors) {
     std::vector<glm::dmat4> worlds, matrices;
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
         worlds.push_back(pose.world(skin.joints[j]));
@@ -125,7 +125,7 @@ void compare(const assets::Primitive& primitive, const assets::Skin& skin, const
     errors.vertices += count;
 }
 
-void compare_model(const assets::Model& model, const Pose& pose, Errors& errors) {
+void compare_model(const assets::Model& model, const ModelPose& pose, SkinErrors& errors) {
     for (const assets::Node& node : model.nodes) {
         if (node.mesh < 0 || node.skin < 0) continue;
         for (const assets::Primitive& primitive : model.meshes[static_cast<std::size_t>(node.mesh)].primitives)
@@ -138,20 +138,20 @@ void compare_model(const assets::Model& model, const Pose& pose, Errors& errors)
 // joint turned at random.
 TEST(SkinModels, FollowTheReference) {
     if (test::given_models().empty()) GTEST_SKIP() << test::no_given_models;
-    Errors errors;
+    SkinErrors errors;
     std::size_t characters = 0;
     for (const std::filesystem::path& file : test::given_gltf_files("characters")) {
         const assets::Model model = assets::read_model(file);
         if (model.skins.empty()) continue;
         ++characters;
-        Errors own;
+        SkinErrors own;
         compare_model(model, {model.nodes}, own);
         for (std::size_t c = 0; c < std::min<std::size_t>(model.animations.size(), 3); ++c) {
-            Pose pose{model.nodes};
+            ModelPose pose{model.nodes};
             pose.play(model.animations[c], 0.37f * model.animations[c].duration);
             compare_model(model, pose, own);
         }
-        Pose turned{model.nodes};
+        ModelPose turned{model.nodes};
         for (const assets::Skin& skin : model.skins) turned.turn_at_random(skin, 5);
         compare_model(model, turned, own);
         EXPECT_LT(own.position, 1e-5) << file;

@@ -15,7 +15,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Whether vertices follow the joints of those before them, as a character's do, or any.
 enum class Neighbours { alike, unlike };

@@ -6,7 +6,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Frames of a coordinate that is given; vertices at one place have one.
 std::vector<glm::vec4> frames_of(const Shape& shape, const std::vector<float>& u) {

@@ -8,7 +8,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Degrees between the drawn direction across stripes and the closed form, around the tube, at every vertex.
 std::vector<double> torus_errors(const Striped& striped, double major) {

@@ -14,7 +14,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr double degrees = std::numbers::pi / 180.0;
 
 /// A curve on an entity, in its axes; the picture shows x and y of what a view makes of it.
 using Curve = std::function<glm::dvec3(double)>;
@@ -25,9 +25,9 @@ struct Pose {
     glm::dvec2 at{300.0, 200.0};
 
     [[nodiscard]] glm::dvec2 project(glm::dvec3 p) const {
-        const double cy = std::cos(yaw * degree), sy = std::sin(yaw * degree);
+        const double cy = std::cos(yaw * degrees), sy = std::sin(yaw * degrees);
         const glm::dvec2 turned(cy * p.x + sy * p.z, p.y);
-        const double cz = std::cos(roll * degree), sz = std::sin(roll * degree);
+        const double cz = std::cos(roll * degrees), sz = std::sin(roll * degrees);
         return at + zoom * glm::dvec2(cz * turned.x - sz * turned.y, sz * turned.x + cz * turned.y);
     }
 };
@@ -107,7 +107,7 @@ double reweighed(const Drawn& a, const Drawn& b) {
 /// middle.
 Curve arc_of(double turn) {
     return [=](double t) {
-        const double angle = (t - 0.5) * turn * degree, radius = turn > 0.0 ? 100.0 / (turn * degree) : 1.0;
+        const double angle = (t - 0.5) * turn * degrees, radius = turn > 0.0 ? 100.0 / (turn * degrees) : 1.0;
         const glm::dvec2 p = turn > 0.0 ? radius * glm::dvec2(std::sin(angle), std::cos(angle) - 1.0)
                                         : glm::dvec2(100.0 * (t - 0.5), 0.0);
         const glm::dvec2 q = glm::dvec2(40.0, 55.0) + p;
@@ -168,7 +168,7 @@ TEST(StrokePhase, NothingPops) {
          [](double k) { return Drawn(arc_of(80.0), {}, {.end = 0.4 + 0.03 * k}); }},
         {"line turns on its entity by two degrees", 3.0, 0.1,
          [](double k) {
-             const double c = std::cos(2.0 * k * degree), s = std::sin(2.0 * k * degree);
+             const double c = std::cos(2.0 * k * degrees), s = std::sin(2.0 * k * degrees);
              return Drawn(
                  [=](double t) { return glm::dvec3(60.0 + 100.0 * c * (t - 0.5), 40.0 + 100.0 * s * (t - 0.5), 90.0); },
                  {});

@@ -28,7 +28,7 @@ SuggestiveContoursJob job_of(const LineMesh& mesh, const glm::vec4& eye, const S
             .options = options};
 }
 
-std::vector<glm::vec4> eyes() {
+std::vector<glm::vec4> eyes_around() {
     return {{2.5f, 1.9f, 0.7f, 1.0f}, {-1.2f, 3.0f, 2.2f, 1.0f}, {0.6f, 0.3f, 0.74f, 0.0f}, {0.1f, 2.4f, 0.3f, 1.0f}};
 }
 
@@ -64,7 +64,7 @@ TEST(SuggestiveContours, AreWhereTheRadialCurvatureOfATorusVanishes) {
     const LineMesh mesh(torus(1.0, 0.4, 240, 96), true);
     const SuggestiveOptions options{.angle = 0.3f, .derivative = 0.5f};
     std::size_t checked = 0, wanted = 0;
-    for (const glm::vec4& eye : eyes()) {
+    for (const glm::vec4& eye : eyes_around()) {
         SuggestiveContoursJob job = job_of(mesh, eye, options);
         job.validate();
         job.run();
@@ -110,7 +110,7 @@ TEST(SuggestiveContours, WeightsRiseWithDerivativeAndAngle) {
     const LineMesh mesh(torus(1.0, 0.4, 240, 96), true);
     const SuggestiveOptions options{.angle = 0.4f, .angle_fade = 0.5f, .derivative = 0.5f, .derivative_fade = 1.5f};
     std::size_t between = 0;
-    for (const glm::vec4& eye : eyes()) {
+    for (const glm::vec4& eye : eyes_around()) {
         SuggestiveContoursJob job = job_of(mesh, eye, options);
         job.run();
         for (const SurfaceSegment& s : job.segments) {
@@ -132,7 +132,7 @@ TEST(SuggestiveContours, FewerTrianglesToLookAtChangeNothing) {
     const std::vector<std::uint32_t> vertices = candidate_vertices(candidates, mesh.indices, mesh.weld);
     EXPECT_LT(vertices.size(), mesh.positions.size() * 8 / 10);
     std::size_t found = 0;
-    for (const glm::vec4& eye : eyes()) {
+    for (const glm::vec4& eye : eyes_around()) {
         SuggestiveContoursJob all = job_of(mesh, eye, {.angle = 0.1f, .derivative = 0.1f}), some = all;
         some.candidates = candidates;
         some.vertices = vertices;
@@ -147,7 +147,7 @@ TEST(SuggestiveContours, FewerTrianglesToLookAtChangeNothing) {
 
 TEST(SuggestiveContours, ConvexBodiesHaveNone) {
     const LineMesh mesh(icosphere(1.0, 4), true);
-    for (const glm::vec4& eye : eyes()) {
+    for (const glm::vec4& eye : eyes_around()) {
         SuggestiveContoursJob job = job_of(mesh, eye, {.angle = 0.0f, .derivative = 0.0f});
         job.run();
         EXPECT_TRUE(job.segments.empty());

@@ -143,4 +143,12 @@ private:
     std::uint64_t garbage_ = 0x6a00000000000000u;
 };
 
+/// A frame of two passes, "a" and "b", which reads what "a" creates, with these keys; says what was done with each.
+inline std::string chain_frame(TestBench& bench, std::optional<std::uint64_t> ka, std::optional<std::uint64_t> kb) {
+    bench.pass({.name = "a", .creates = {"x"}, .key = ka});
+    bench.pass({.name = "b", .creates = {"y"}, .reads = {"x"}, .key = kb});
+    bench.require("y");
+    return bench.run();
+}
+
 } // namespace hachure::gpu::testing

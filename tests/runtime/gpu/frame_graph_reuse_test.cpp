@@ -6,13 +6,6 @@ namespace hachure::gpu::testing {
 namespace {
 
 // a(ka) -> [x] -> b(kb) -> [y]      y is required
-std::string chain_frame(TestBench& bench, std::optional<std::uint64_t> ka, std::optional<std::uint64_t> kb) {
-    bench.pass({.name = "a", .creates = {"x"}, .key = ka});
-    bench.pass({.name = "b", .creates = {"y"}, .reads = {"x"}, .key = kb});
-    bench.require("y");
-    return bench.run();
-}
-
 TEST(FrameGraphReuse, NothingChangedRunsNothing) {
     TestBench bench;
     EXPECT_EQ(chain_frame(bench, 1, 1), "a:run b:run");

@@ -20,7 +20,7 @@ using test::PixelLine;
 using test::Tones;
 using test::TrueLine;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class LineFailuresTest : public test::GlTest {
 protected:

@@ -8,6 +8,8 @@
 #include <hachure/runtime/picture/popping.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/styles/style.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
@@ -15,9 +17,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <vector>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {

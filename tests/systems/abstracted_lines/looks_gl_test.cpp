@@ -4,6 +4,8 @@
 #include <hachure/components/paper.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/styles/style.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +13,6 @@
 #include <filesystem>
 #include <string>
 #include <vector>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {

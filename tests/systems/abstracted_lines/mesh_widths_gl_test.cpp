@@ -1,14 +1,13 @@
 #include <hachure/components/abstracted_lines.h>
 #include <hachure/components/light.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {

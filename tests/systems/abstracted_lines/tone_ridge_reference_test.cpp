@@ -14,7 +14,7 @@
 namespace hachure::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double sum(const Tones& tones) { return std::accumulate(tones.values.begin(), tones.values.end(), 0.0); }
 

@@ -8,11 +8,10 @@
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/transform/transform.h>
+#include <hachure/tests/support/arm_model.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "../../support/arm_model.h"
 
 namespace hachure::test {
 namespace {

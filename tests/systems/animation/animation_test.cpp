@@ -15,10 +15,9 @@
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/transform/transform.h>
+#include <hachure/tests/support/arm_model.h>
 
 #include <gtest/gtest.h>
-
-#include "../../support/arm_model.h"
 
 namespace hachure::test {
 namespace {

@@ -9,11 +9,10 @@
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/transform/transform.h>
+#include <hachure/tests/support/arm_model.h>
+#include <hachure/tests/support/drawn_scene.h>
 
 #include <gtest/gtest.h>
-
-#include "../../support/arm_model.h"
-#include "../../support/drawn_scene.h"
 
 namespace hachure::test {
 namespace {

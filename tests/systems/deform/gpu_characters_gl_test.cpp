@@ -5,16 +5,15 @@
 #include <hachure/components/deformed.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/given_models.h>
+#include <hachure/tests/support/gl_fixture.h>
 #include <hachure/tests/systems/deform/gpu_shape.h>
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <string>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/given_models.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {

@@ -6,6 +6,8 @@
 #include <hachure/components/morph_weights.h>
 #include <hachure/components/skin.h>
 #include <hachure/systems/deform/deform.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 #include <hachure/tests/systems/deform/gpu_shape.h>
 #include <hachure/tests/systems/deform/random_mesh.h>
 
@@ -15,9 +17,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {

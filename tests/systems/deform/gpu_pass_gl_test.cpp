@@ -9,17 +9,16 @@
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/tests/support/arm_model.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
+#include <hachure/tests/support/picture_compare.h>
 #include <hachure/tests/systems/deform/gpu_shape.h>
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <optional>
-
-#include "../../support/arm_model.h"
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
-#include "../../support/picture_compare.h"
 
 namespace hachure::test {
 namespace {

@@ -1,13 +1,12 @@
 #include <hachure/components/edge_lines.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {

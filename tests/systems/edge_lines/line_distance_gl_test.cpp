@@ -2,6 +2,10 @@
 #include <hachure/components/rig.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/tests/support/arm_model.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/exact_lines.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -10,11 +14,6 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
-
-#include "../../support/arm_model.h"
-#include "../../support/drawn_scene.h"
-#include "../../support/exact_lines.h"
-#include "../../support/gl_fixture.h"
 
 // Drawn lines are where the exactly clipped ones are, within a pixel both ways (symmetric Hausdorff distance).
 namespace hachure::test {

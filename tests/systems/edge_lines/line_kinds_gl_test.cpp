@@ -1,13 +1,12 @@
 #include <hachure/components/edge_lines.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 // Kinds of lines that a scene asks for, each alone, where they must be and nowhere else.
 namespace hachure::test {
@@ -21,9 +20,9 @@ constexpr int size = 200; ///< pixels, both ways
 const EdgeLines none{.silhouette = false, .crease = false, .border = false, .width = 2.0f, .color = {1, 0, 0}};
 
 /// A world seen by one camera, in a square picture.
-class Stage {
+class KindStage {
 public:
-    Stage(gpu::Context& context, const dvec3& eye, const dvec3& target, float yfov = 0.6f)
+    KindStage(gpu::Context& context, const dvec3& eye, const dvec3& target, float yfov = 0.6f)
         : scene_(context, {size, size}), eye_(eye),
           look_(glm::quatLookAt(glm::normalize(target - eye),
                                 std::abs(target.y - eye.y) > 0.99 * glm::distance(target, eye) ? dvec3(0, 0, -1)
@@ -87,7 +86,7 @@ using LineKindsTest = GlTest;
 TEST_P(LineKindsTest, AMaterialBoundaryIsDrawnWholeAndOnlyThere) {
     for (const bool asked : {true, false})
         for (const LineVisibility visibility : {LineVisibility::depth, LineVisibility::exact}) {
-            Stage stage(context(), {0.3, 2.5, 2.0}, {0, 0, 0});
+            KindStage stage(context(), {0.3, 2.5, 2.0}, {0, 0, 0});
             SurfaceMesh plate;
             for (int x = 0; x < 4; ++x) // three strips along z, the first two of one material
                 for (const float z : {-0.5f, 0.5f}) plate.positions.emplace_back(0.4f * float(x) - 0.6f, 0.0f, z);
@@ -119,7 +118,7 @@ TEST_P(LineKindsTest, ABoxThroughAFloorHasALineOfContact) {
         for (const float turn : {0.5f, 0.9f}) {
             SCOPED_TRACE(testing::Message() << "floor asks " << floor_asks << ", turned by " << turn);
             const dvec3 eye(0.4, 2.6, 3.4);
-            Stage stage(context(), eye, {0, 0, 0});
+            KindStage stage(context(), eye, {0, 0, 0});
             const Entity floor = stage.add(surface_mesh(geometry::plane(6.0, 3)));
             const glm::quat turned = glm::angleAxis(turn, glm::vec3(0, 1, 0));
             const Entity box = stage.add(surface_mesh(geometry::cube(1.0)), {.rotation = turned});
@@ -160,7 +159,7 @@ TEST_P(LineKindsTest, SuggestiveContoursAreWhereAHollowEndsTowardsTheEye) {
     }
     EdgeLines lines = none;
     lines.suggestive = true;
-    Stage stage(context(), {0, 2.6, 3.4}, {0, 0, 0}, 0.5f);
+    KindStage stage(context(), {0, 2.6, 3.4}, {0, 0, 0}, 0.5f);
     const Entity entity = stage.add(surface_mesh(waves));
     stage.world().add(entity, lines);
     stage.draw();
@@ -174,7 +173,7 @@ TEST_P(LineKindsTest, SuggestiveContoursAreWhereAHollowEndsTowardsTheEye) {
         }
     EXPECT_EQ(stage.elsewhere(contours, 3.0), 0);
 
-    Stage ball(context(), {0.5, 1.5, 4.0}, {0, 0, 0}, 0.5f);
+    KindStage ball(context(), {0.5, 1.5, 4.0}, {0, 0, 0}, 0.5f);
     ball.world().add(ball.add(surface_mesh(geometry::icosphere(1.0, 5))), lines);
     ball.draw();
     EXPECT_EQ(ball.elsewhere({}, 0.0), 0);

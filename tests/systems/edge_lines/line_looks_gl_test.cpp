@@ -1,13 +1,12 @@
 #include <hachure/components/edge_lines.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 // How lines look: width in each unit, taper, colours, hidden lines, highlights, lines from the picture.
 namespace hachure::test {
@@ -37,9 +36,9 @@ struct Layer {
 };
 
 /// A world seen by one camera.
-class Stage {
+class LookStage {
 public:
-    Stage(gpu::Context& context, Canvas canvas, const Camera& camera, const Transform& place)
+    LookStage(gpu::Context& context, Canvas canvas, const Camera& camera, const Transform& place)
         : scene_(context, canvas) {
         scene_.add(camera, place);
         scene_.renderer().request_aov("line_layer");
@@ -70,7 +69,7 @@ using LineLooksTest = GlTest;
 
 /// The upright left border of a square a metre wide, whose middle is `depth` before the camera.
 double border_width(gpu::Context& context, Canvas canvas, const Camera& camera, float depth, const EdgeLines& lines) {
-    Stage stage(context, canvas, camera, {.translation = {0, 0, depth}});
+    LookStage stage(context, canvas, camera, {.translation = {0, 0, depth}});
     stage.add(geometry::plane(1.0, 1), lines, {.translation = {0.5f, 0, 0}, .rotation = upright});
     const Layer layer = stage.draw();
     return layer.across(canvas.height / 2, canvas.width / 4, canvas.width / 2 + canvas.width / 8);
@@ -105,7 +104,7 @@ TEST_P(LineLooksTest, WidthInTheWorldIsTrueToDistanceAngleOfViewAndSize) {
 
 /// A rod that runs away from the eye: its line gets thinner as the distance grows, from end to end.
 TEST_P(LineLooksTest, ALineInTheWorldThinsOutWithDistance) {
-    Stage stage(context(), {200, 200}, {.yfov = 0.9f}, {.translation = {0, 0.6f, 3.0f}});
+    LookStage stage(context(), {200, 200}, {.yfov = 0.9f}, {.translation = {0, 0.6f, 3.0f}});
     geometry::Shape strip;
     strip.positions = {{0, 0, 1}, {0, 0, -20}, {3, 0, -20}, {3, 0, 1}};
     strip.normals.assign(4, {0, 1, 0});
@@ -123,13 +122,13 @@ TEST_P(LineLooksTest, ALineInTheWorldThinsOutWithDistance) {
 TEST_P(LineLooksTest, TaperThinsOutTheEndsAndNotTheMiddle) {
     const Camera camera{.projection = Projection::orthographic, .ymag = 1.0f, .zfar = 100.0f};
     for (const LineVisibility visibility : {LineVisibility::depth, LineVisibility::exact}) {
-        Stage stage(context(), {200, 200}, camera, {.translation = {0, 0, 5}});
+        LookStage stage(context(), {200, 200}, camera, {.translation = {0, 0, 5}});
         geometry::Shape fan = geometry::plane(1.0, 1); // a square; all its sides are one line
         stage.add(fan, {.width = 6.0f, .taper = 5.0f, .visibility = visibility}, {.rotation = upright});
         EXPECT_NEAR(stage.draw().across(100, 20, 80), 6.0, 0.15) << "a closed line has no ends";
 
         // A roof: its ridge is a crease that begins and ends.
-        Stage open(context(), {200, 200}, camera, {.translation = {0, 0, 5}});
+        LookStage open(context(), {200, 200}, camera, {.translation = {0, 0, 5}});
         geometry::Shape roof;
         roof.positions = {{0, -0.8f, 0},         {0, 0.8f, 0},         {-0.5f, 0.8f, -0.8f},
                           {-0.5f, -0.8f, -0.8f}, {0.5f, -0.8f, -0.8f}, {0.5f, 0.8f, -0.8f}};
@@ -145,9 +144,9 @@ TEST_P(LineLooksTest, TaperThinsOutTheEndsAndNotTheMiddle) {
 }
 
 TEST_P(LineLooksTest, EveryKindHasItsColourAndTheLaterKindLiesOnTop) {
-    Stage stage(context(), {200, 200}, {.yfov = 0.5f},
-                {.translation = {2.2f, 2.0f, 2.6f},
-                 .rotation = glm::quatLookAt(glm::normalize(glm::vec3(-2.2f, -2.0f, -2.6f)), glm::vec3(0, 1, 0))});
+    LookStage stage(context(), {200, 200}, {.yfov = 0.5f},
+                    {.translation = {2.2f, 2.0f, 2.6f},
+                     .rotation = glm::quatLookAt(glm::normalize(glm::vec3(-2.2f, -2.0f, -2.6f)), glm::vec3(0, 1, 0))});
     EdgeLines lines{.width = 4.0f, .color = {1, 0, 0}, .color_by_kind = true, .crease_color = {0, 0, 1}};
     const Entity cube = stage.add(geometry::cube(1.0), lines, {}, false);
     const Layer layer = stage.draw();
@@ -176,7 +175,7 @@ TEST_P(LineLooksTest, EveryKindHasItsColourAndTheLaterKindLiesOnTop) {
 }
 
 TEST_P(LineLooksTest, WhereLinesOfOneColourMeetNothingGetsDarkerOrLighter) {
-    Stage stage(context(), {200, 200}, {.yfov = 0.5f}, {.translation = {0, 0, 5}});
+    LookStage stage(context(), {200, 200}, {.yfov = 0.5f}, {.translation = {0, 0, 5}});
     stage.add(geometry::uv_sphere(1.0, 64, 32), {.crease = false, .width = 5.0f, .color = {0.25f, 0.5f, 0.75f}});
     const Layer layer = stage.draw();
     for (int row = 0; row < 200; ++row)
@@ -196,7 +195,7 @@ struct HalfHidden {
         stage.scene().world().remove<EdgeLines>(
             stage.add(geometry::plane(4.0, 1), {}, {.translation = {-2.0f, 0, 1}, .rotation = upright}));
     }
-    Stage stage;
+    LookStage stage;
 };
 
 TEST_P(LineLooksTest, HiddenLinesAreNoneDashedOrSolidAndALayerOfTheirOwn) {
@@ -242,7 +241,7 @@ TEST_P(LineLooksTest, ABoxOnAFloorHasAWholeFoot) {
             for (const float height : {0.5f, 1.5f, 4.0f}) {
                 const glm::vec3 eye(0.3f, height, 4.0f);
                 const glm::quat look = glm::quatLookAt(glm::normalize(glm::vec3(0, 0.4f, 0) - eye), glm::vec3(0, 1, 0));
-                Stage stage(context(), {240, 180}, {.yfov = 0.6f}, {.translation = eye, .rotation = look});
+                LookStage stage(context(), {240, 180}, {.yfov = 0.6f}, {.translation = eye, .rotation = look});
                 stage.add(geometry::plane(20.0, 1), {.border = false}, {});
                 const glm::quat turned = glm::angleAxis(turn, glm::vec3(0, 1, 0));
                 stage.add(geometry::cube(1.0), {.width = 1.0f, .visibility = visibility},
@@ -273,7 +272,8 @@ TEST_P(LineLooksTest, LinesMoveWithThePicture) {
     const Camera camera{.projection = Projection::orthographic, .ymag = 1.0f, .zfar = 100.0f};
     for (const LineMethod method : {LineMethod::mesh, LineMethod::image}) {
         const auto draw = [&](int right, int up) {
-            Stage stage(context(), {200, 200}, camera, {.translation = {-0.01f * float(right), -0.01f * float(up), 5}});
+            LookStage stage(context(), {200, 200}, camera,
+                            {.translation = {-0.01f * float(right), -0.01f * float(up), 5}});
             stage.add(geometry::torus(0.4, 0.15, 48, 24), {.method = method},
                       {.rotation = glm::angleAxis(0.9f, glm::normalize(glm::vec3(1, 0.4f, 0.2f)))});
             return stage.draw();
@@ -290,7 +290,7 @@ TEST_P(LineLooksTest, LinesMoveWithThePicture) {
 
 TEST_P(LineLooksTest, LinesFromThePictureFollowStepsOfDepthObjectsAndCreases) {
     const Camera camera{.projection = Projection::orthographic, .ymag = 1.0f, .zfar = 100.0f};
-    Stage stage(context(), {200, 200}, camera, {.translation = {0, 0, 5}});
+    LookStage stage(context(), {200, 200}, camera, {.translation = {0, 0, 5}});
     const EdgeLines lines{.width = 3.0f, .color = {1, 0, 0}, .method = LineMethod::image};
     const Entity cube =
         stage.add(geometry::cube(1.0), lines, {.rotation = glm::angleAxis(0.785398f, glm::vec3(0, 1, 0))}, false);
@@ -312,7 +312,7 @@ TEST_P(LineLooksTest, LinesFromThePictureReachItsRims) {
     const glm::quat turned = glm::angleAxis(0.785398f, glm::vec3(0, 1, 0));
     for (const bool lying : {false, true})
         for (int size = 60; size < 68; ++size) {
-            Stage stage(context(), {size, size}, camera, {.translation = {0, 0, 5}});
+            LookStage stage(context(), {size, size}, camera, {.translation = {0, 0, 5}});
             stage.add(geometry::cube(4.0), {.width = 3.0f, .method = LineMethod::image},
                       {.rotation = lying ? glm::angleAxis(1.5707963f, glm::vec3(0, 0, 1)) * turned : turned}, false);
             const Layer layer = stage.draw();

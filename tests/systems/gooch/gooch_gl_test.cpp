@@ -1,12 +1,12 @@
 #include <hachure/components/gooch.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <glm/gtc/constants.hpp>
 
 #include <array>
 #include <string>
 
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 #include "closed_form.h"
 
 namespace hachure::test {

@@ -8,7 +8,7 @@
 namespace hachure::test {
 namespace {
 
-constexpr double tolerance = 1e-3;
+constexpr double light_tolerance = 1e-3;
 
 using GoochLightsTest = GlTest;
 
@@ -78,8 +78,8 @@ TEST_P(GoochLightsTest, SeveralLightsMatchTheClosedForm) {
                 return phong_color(phong, object.color, hit.normal, to_eye, all_arriving(lights, point, scene.camera));
             });
         std::printf("four lights: tone %.2e, phong %.2e\n", tones.error, phongs.error);
-        EXPECT_LE(tones.error, tolerance);
-        EXPECT_LE(phongs.error, tolerance);
+        EXPECT_LE(tones.error, light_tolerance);
+        EXPECT_LE(phongs.error, light_tolerance);
         EXPECT_GT(tones.drawn, 10'000);
         // Their approximation stays the tones' own without highlights.
         tone.highlight = 0.0f;
@@ -219,7 +219,7 @@ TEST_P(GoochLightsTest, GazeLightSpansAllTonesFromAnyCamera) {
         const auto worst = scene.compare([&](const CastObject&, const Hit& hit, const dvec3& point, const dvec3&) {
             return dvec3(0.5 + 0.5 * glm::dot(arriving(cast, point, scene.camera).l, hit.normal));
         });
-        EXPECT_LE(worst.error, tolerance);
+        EXPECT_LE(worst.error, light_tolerance);
         const Span gaze = drawn_span(scene);
         EXPECT_GT(gaze.high, 0.96);
         EXPECT_LT(gaze.low, -0.96);
@@ -257,7 +257,7 @@ TEST_P(GoochLightsTest, WorldLightStaysWhileTheCameraMoves) {
         const auto worst = scene.compare([&](const CastObject& object, const Hit& hit, const dvec3&, const dvec3&) {
             return (0.5 + 0.5 * glm::dot(l, hit.normal)) * object.color;
         });
-        EXPECT_LE(worst.error, tolerance);
+        EXPECT_LE(worst.error, light_tolerance);
         EXPECT_GT(worst.drawn, 8'000);
     }
 }

@@ -7,7 +7,7 @@
 namespace hachure::test {
 namespace {
 
-constexpr double tolerance = 1e-3;
+constexpr double mode_tolerance = 1e-3;
 
 using GoochModesTest = GlTest;
 
@@ -17,7 +17,7 @@ Gooch with(Gooch gooch, GoochShading shading) {
 }
 
 void expect_exact(const GoochScene::Worst& worst) {
-    EXPECT_LE(worst.error, tolerance);
+    EXPECT_LE(worst.error, mode_tolerance);
     EXPECT_GT(worst.checked, 35'000); // of 49,152
     EXPECT_GT(worst.drawn, 10'000);
 }

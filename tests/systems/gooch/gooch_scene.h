@@ -2,6 +2,8 @@
 
 #include <hachure/components/gooch.h>
 #include <hachure/components/light.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -9,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 #include "closed_form.h"
 
 /// Sphere, cylinder and torus in one picture, to be compared with closed forms.

@@ -9,7 +9,7 @@
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{384, 384};
+constexpr Canvas noise_canvas{384, 384};
 
 struct BrushNoiseTest : ::testing::Test {
     void SetUp() override {
@@ -19,7 +19,7 @@ struct BrushNoiseTest : ::testing::Test {
     }
 
     /// A view of a ball that is 1.8 m wide and fills it; 2 m are the view's height.
-    NoiseScene& make(const std::vector<BrushNoiseKey>& keys, Canvas size = canvas) {
+    NoiseScene& make(const std::vector<BrushNoiseKey>& keys, Canvas size = noise_canvas) {
         scene = std::make_unique<NoiseScene>(*context, size, keys);
         camera = scene->add(Camera{.projection = Projection::orthographic, .ymag = 1.0f}, {.translation = {0, 0, 5}});
         ball = scene->add(surface_mesh(geometry::icosphere(0.9, 5)));

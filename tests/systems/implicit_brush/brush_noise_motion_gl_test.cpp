@@ -13,7 +13,7 @@
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{320, 240};
+constexpr Canvas motion_canvas{320, 240};
 
 /// Frames of something that moves, and how far its noise moves with it.
 struct BrushNoiseMotionTest : ::testing::Test {
@@ -27,7 +27,7 @@ struct BrushNoiseMotionTest : ::testing::Test {
     }
 
     void make() {
-        scene = std::make_unique<NoiseScene>(*context, canvas,
+        scene = std::make_unique<NoiseScene>(*context, motion_canvas,
                                              std::vector<BrushNoiseKey>{{.grain = BrushGrain::screen},
                                                                         {.grain = BrushGrain::solid},
                                                                         {.grain = BrushGrain::advected}});
@@ -51,7 +51,8 @@ struct BrushNoiseMotionTest : ::testing::Test {
             const PixelMask seen_twice = [&](int x, int y) {
                 if (ids.at(x, y).x == 0.0f || std::abs(normal.at(x, y).z) < 0.4f) return false;
                 const glm::ivec2 from(glm::vec2(x, y) - glm::vec2(velocity.at(x, y)));
-                if (from.x < 0 || from.y < 0 || from.x >= canvas.width || from.y >= canvas.height) return false;
+                if (from.x < 0 || from.y < 0 || from.x >= motion_canvas.width || from.y >= motion_canvas.height)
+                    return false;
                 return ids_before.at(from.x, from.y).x == ids.at(x, y).x;
             };
             for (std::size_t i = 0; i < 3; ++i) {

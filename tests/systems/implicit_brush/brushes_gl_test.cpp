@@ -15,12 +15,12 @@
 namespace hachure {
 namespace {
 
-constexpr int size = 160;
+constexpr int balls_size = 160;
 
 /// White balls before a white background: what is not white is ink.
 class WhiteBalls {
 public:
-    explicit WhiteBalls(gpu::Context& context) : scene(context, {size, size}) {
+    explicit WhiteBalls(gpu::Context& context) : scene(context, {balls_size, balls_size}) {
         camera = scene.add(Camera{.projection = Projection::orthographic, .ymag = 2.0f}, {.translation = {0, 0, 10}});
     }
 
@@ -34,12 +34,12 @@ public:
 
     /// How dark the picture is around a place of the world's plane z = 0: the greatest of a few pixels.
     double ink_at(const assets::Image& image, double x, double y, int channel = 1, int reach = 2) {
-        const auto column = static_cast<int>((x / 2.0 * 0.5 + 0.5) * size),
-                   row = static_cast<int>((0.5 - y / 4.0) * size);
+        const auto column = static_cast<int>((x / 2.0 * 0.5 + 0.5) * balls_size),
+                   row = static_cast<int>((0.5 - y / 4.0) * balls_size);
         double ink = 0.0;
         for (int j = row - reach; j <= row + reach; ++j)
             for (int i = column - reach; i <= column + reach; ++i)
-                ink = std::max(ink, 1.0 - image.u8()[3 * (j * size + i) + channel] / 255.0);
+                ink = std::max(ink, 1.0 - image.u8()[3 * (j * balls_size + i) + channel] / 255.0);
         return ink;
     }
 
@@ -54,7 +54,7 @@ TEST_P(BrushesTest, AnOutlineIsInkOnBothSidesOfIt) {
     balls.ball({0, 0, 0}, 1.0, true, {.size = 3.0f});
     const assets::Image image = balls.scene.draw();
     for (double angle = 0.0; angle < 6.28; angle += 0.2) {
-        const double x = std::cos(angle), y = std::sin(angle), pixel = 4.0 / size;
+        const double x = std::cos(angle), y = std::sin(angle), pixel = 4.0 / balls_size;
         EXPECT_GT(balls.ink_at(image, x, y, 1, 0), 0.7) << angle;
         EXPECT_GT(balls.ink_at(image, x * (1 + 2 * pixel), y * (1 + 2 * pixel), 1, 0), 0.3) << angle;
         EXPECT_GT(balls.ink_at(image, x * (1 - 2 * pixel), y * (1 - 2 * pixel), 1, 0), 0.3) << angle;
@@ -114,7 +114,7 @@ TEST_P(BrushesTest, WeightsAreThoseOfTheBrushAPixelCountsMostIn) {
     balls.scene.renderer().render_frame();
     const assets::Image weights = balls.scene.renderer().read_aov("brush_weight");
     float most = 0.0f;
-    for (int i = 0; i < size * size; ++i) {
+    for (int i = 0; i < balls_size * balls_size; ++i) {
         ASSERT_TRUE(weights.f32()[i] >= 0.0f && weights.f32()[i] <= 0.9f + 1e-3f);
         most = std::max(most, weights.f32()[i]);
     }

@@ -26,16 +26,16 @@
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{320, 240};
+constexpr Canvas brush_canvas{320, 240};
 
 /// A model in style `brush`, with a turntable of camera and light.
 class BrushedScene {
 public:
-    BrushedScene(gpu::Context& context, const assets::Model& model) : scene_(context, canvas) {
+    BrushedScene(gpu::Context& context, const assets::Model& model) : scene_(context, brush_canvas) {
         World& world = scene_.world();
         const SpawnedModel spawned = spawn_model(world, model);
         root_ = spawned.root;
-        spawn_framing_camera(world, spawned.points, canvas);
+        spawn_framing_camera(world, spawned.points, brush_canvas);
         light_ = world.create_with(Transform{}, Light{});
         apply_style(world, scene_.app().types(), find_style(scene_.app().types(), "brush"));
         scene_.renderer().request_aov("line_layer");

@@ -21,7 +21,7 @@ using test::SlopeImage;
 using test::TrueCircle;
 namespace ripple = test::ripple;
 
-constexpr int size = 256;
+constexpr int ripple_size = 256;
 constexpr double scale = 6.0; // px of a unit of the ripple's radius: its wavelength is 38 px
 const glm::dvec2 middle(128.3, 127.6);
 
@@ -38,7 +38,7 @@ std::vector<TrueCircle> circles(const std::function<double(double)>& height, dou
 
 RippleScore score(const std::vector<test::PixelProfile>& profiles, const std::vector<TrueCircle>& truth) {
     RippleScore result(middle, 2.2 * scale, 20.0 * scale, 2.0, truth);
-    result.add(profiles, size, 0.3 * truth.back().height); // what a brush for the faintest line would ask for
+    result.add(profiles, ripple_size, 0.3 * truth.back().height); // what a brush for the faintest line would ask for
     return result;
 }
 
@@ -54,7 +54,7 @@ void expect_accurate(const RippleScore& found, const char* what) {
 
 /// A relief that rises by `rise` per pixel at a radius (units), away from the middle.
 SlopeImage relief(const std::function<double(double)>& rise) {
-    return SlopeImage::of(size, size, [&](glm::dvec2 p) {
+    return SlopeImage::of(ripple_size, ripple_size, [&](glm::dvec2 p) {
         const glm::dvec2 d = p - middle;
         const double r = glm::length(d);
         return rise(r / scale) * d / r;
@@ -89,11 +89,12 @@ TEST(RippleReference, FindsTheKnownRadii) {
 TEST_P(RippleTest, AsAnImage) {
     RenderContext render(context());
     const ripple::Integral tone(30.0);
-    const test::Tones tones = test::draw_points(size, size, 1, [&](glm::dvec2 p) {
+    const test::Tones tones = test::draw_points(ripple_size, ripple_size, 1, [&](glm::dvec2 p) {
         return 0.5 + 0.4 * tone.once(std::min(glm::distance(p, middle) / scale, 30.0));
     });
     for (const float window : {4.0f, 6.0f, 8.0f}) {
-        test::FeatureFinding finding(render, {.feature = BrushFeature::luminance_edges, .window = window}, size, size);
+        test::FeatureFinding finding(render, {.feature = BrushFeature::luminance_edges, .window = window}, ripple_size,
+                                     ripple_size);
         finding.find(tones);
         const double factor = 0.4 * static_cast<double>(window) / scale;
         const RippleScore found =
@@ -113,24 +114,24 @@ TEST_P(RippleTest, AsAHeightField) {
             const auto w = static_cast<double>(window);
             test::FeatureSettings settings{
                 .feature = BrushFeature::surface_edges, .window = window, .storage = storage};
-            test::FeatureFinding edges(render, settings, size, size);
+            test::FeatureFinding edges(render, settings, ripple_size, ripple_size);
             edges.find(relief([&](double r) { return slope * ripple::h(r); }));
             expect_accurate(score(edges.profiles(), scaled(circles(ripple_steepness, w), slope)), "surface edges");
 
             const SlopeImage curved = relief([&](double r) { return -curvature * scale * integral.once(r); });
             settings.feature = BrushFeature::ridges;
-            test::FeatureFinding ridges(render, settings, size, size);
+            test::FeatureFinding ridges(render, settings, ripple_size, ripple_size);
             ridges.find(curved);
             expect_accurate(score(ridges.profiles(), scaled(circles(ripple_height, w), curvature * w)), "ridges");
             settings.feature = BrushFeature::valleys;
-            test::FeatureFinding valleys(render, settings, size, size);
+            test::FeatureFinding valleys(render, settings, ripple_size, ripple_size);
             valleys.find(curved);
             expect_accurate(score(valleys.profiles(), scaled(circles(ripple_depth, w), curvature * w)), "valleys");
 
             if (storage == gpu::Format::rgba16f) continue; // whose steps are too coarse for third derivatives
             // Mean curvature is half of that along the radius and half of that around.
             settings.feature = BrushFeature::inflections;
-            test::FeatureFinding inflections(render, settings, size, size);
+            test::FeatureFinding inflections(render, settings, ripple_size, ripple_size);
             inflections.find(curved);
             const auto change = [&](double r) {
                 return std::abs(0.5 * (ripple::derivative(1, r) + ripple::h(r) / r - integral.once(r) / (r * r)));
@@ -142,13 +143,13 @@ TEST_P(RippleTest, AsAHeightField) {
 
 /// The ripple itself as a relief, of triangles, through the whole of the passes: ridges where -z'' is highest.
 TEST_P(RippleTest, AsAMesh) {
-    test::FeatureScene scene(context(), {size, size});
+    test::FeatureScene scene(context(), {ripple_size, ripple_size});
     scene.scene().add(test::ripple_mesh(256, 24.0, 0.4, ripple::h, [](double r) { return ripple::derivative(1, r); }),
                       Transform{});
     // The middle is where the other tests have it.
-    const auto offset = glm::vec2(glm::dvec2(0.5 * size) - middle) / float(scale);
+    const auto offset = glm::vec2(glm::dvec2(0.5 * ripple_size) - middle) / float(scale);
     const Entity camera =
-        scene.scene().add(Camera{.projection = Projection::orthographic, .ymag = float(0.5 * size / scale)},
+        scene.scene().add(Camera{.projection = Projection::orthographic, .ymag = float(0.5 * ripple_size / scale)},
                           Transform{.translation = {offset.x, offset.y, 10.0f}});
     scene.world().add(camera,
                       FeatureImage{.quality = FeatureQuality::custom, .storage = FeatureStorage::rgba32f, .fits = 3});

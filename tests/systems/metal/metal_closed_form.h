@@ -2,6 +2,7 @@
 
 #include <hachure/components/metal.h>
 #include <hachure/systems/metal/stripe_ramp.h>
+#include <hachure/tests/systems/gooch/closed_form.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -14,8 +15,6 @@
 #include <numbers>
 #include <optional>
 #include <vector>
-
-#include "../gooch/closed_form.h"
 
 /// What metal on a cylinder must be, in double precision, from the intensities of the stripes alone. Shares no code
 /// with the shaders or the systems.

@@ -6,21 +6,21 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/systems/metal/stripe_layout.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/tests/support/arm_model.h>
+#include <hachure/tests/support/given_models.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "../../support/arm_model.h"
-#include "../../support/given_models.h"
-#include "../../support/gl_fixture.h"
 #include "metal_scene.h"
 
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{96, 72};
+constexpr Canvas deform_canvas{96, 72};
 
 /// The first clip of a model, with metal of that source.
 struct MovingMetal {
@@ -28,13 +28,13 @@ struct MovingMetal {
     SpawnedModel model;
 
     MovingMetal(gpu::Context& context, const assets::Model& source, const Metal& metal)
-        : scene(context, canvas), model(spawn_model(scene.world(), source)) {
+        : scene(context, deform_canvas), model(spawn_model(scene.world(), source)) {
         World& world = scene.world();
         for (const Entity surface : model.surfaces) {
             world.add(surface, metal);
             world.add(surface, Deform{.device = DeformDevice::gpu}); // metal needs it on the CPU nevertheless
         }
-        spawn_framing_camera(world, model.points, canvas);
+        spawn_framing_camera(world, model.points, deform_canvas);
         spawn_default_light(world);
         if (!model.clips.empty()) world.add(model.root, Animation{.clip = model.clips[0]});
         scene.renderer().request_aov("color");
@@ -82,9 +82,9 @@ TEST_P(MetalDeformTest, StripesAreCarriedAlong) {
 TEST_P(MetalDeformTest, AnglesOfVerticesAreThoseOfFragments) {
     const Metal metal{.source = MetalSource::around_axis, .sets = 2};
     const geometry::Shape shape = geometry::cylinder(1.0, 3.0, 512);
-    MetalScene rigid(context(), canvas, surface_mesh(shape), metal, {1, 0.4f, 1}, 2.0f,
+    MetalScene rigid(context(), deform_canvas, surface_mesh(shape), metal, {1, 0.4f, 1}, 2.0f,
                      {.rotation = glm::angleAxis(0.3f, glm::vec3(0, 0, 1))});
-    MetalScene moved(context(), canvas, surface_mesh(shape), metal, {1, 0.4f, 1}, 2.0f,
+    MetalScene moved(context(), deform_canvas, surface_mesh(shape), metal, {1, 0.4f, 1}, 2.0f,
                      {.rotation = glm::angleAxis(0.3f, glm::vec3(0, 0, 1))});
     moved.scene.world().add(moved.object, Deformed{.positions = shape.positions,
                                                    .normals = shape.normals,

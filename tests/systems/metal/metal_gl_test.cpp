@@ -1,6 +1,8 @@
 #include <hachure/components/metal.h>
 #include <hachure/systems/metal/metal_frame.h>
 #include <hachure/systems/metal/stripe_layout.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -11,15 +13,13 @@
 #include <span>
 #include <string>
 
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 #include "metal_closed_form.h"
 #include "metal_scene.h"
 
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{192, 144};
+constexpr Canvas metal_canvas{192, 144};
 constexpr double tolerance = 1.0 / 255.0;
 constexpr double tau = 2.0 * std::numbers::pi;
 
@@ -46,10 +46,10 @@ std::pair<Camera, Transform> camera_for(const Trial& trial, double width) {
     const double pixels_per_radius = width * stripes / tau / double(trial.scale.x);
     if (trial.orthographic)
         return {{.projection = Projection::orthographic,
-                 .ymag = static_cast<float>(0.5 * canvas.height / pixels_per_radius),
+                 .ymag = static_cast<float>(0.5 * metal_canvas.height / pixels_per_radius),
                  .zfar = 100.0f},
                 {.translation = {0.0f, 0.1f, 20.0f}}};
-    const double yfov = 0.6, pixels_per_slope = 0.5 * canvas.height / std::tan(0.5 * yfov);
+    const double yfov = 0.6, pixels_per_slope = 0.5 * metal_canvas.height / std::tan(0.5 * yfov);
     const double distance = pixels_per_slope / pixels_per_radius;
     return {{.yfov = static_cast<float>(yfov), .znear = 0.01f},
             {.translation = {0.1f, 0.2f, static_cast<float>(distance + double(trial.scale.x))}}};
@@ -66,7 +66,7 @@ struct Worst {
 class Reference {
 public:
     Reference(const Trial& trial, const Camera& camera, const Transform& place, double phase, double direction)
-        : cylinder_{{.rotation = trial.rotation, .scale = trial.scale}, 2.0}, camera_(camera, place, canvas),
+        : cylinder_{{.rotation = trial.rotation, .scale = trial.scale}, 2.0}, camera_(camera, place, metal_canvas),
           phase_(phase) {
         const Metal& metal = trial.metal;
         const bool curvature = metal.source == MetalSource::curvature;
@@ -137,7 +137,7 @@ std::pair<double, double> phase_and_direction(const Trial& trial, const SurfaceM
 }
 
 Worst compare(gpu::Context& context, const Trial& trial, double width) {
-    DrawnScene scene(context, canvas);
+    DrawnScene scene(context, metal_canvas);
     const SurfaceMesh mesh = surface_mesh(fine_cylinder());
     scene.world().add(scene.add(mesh, {.rotation = trial.rotation, .scale = trial.scale}), trial.metal);
     const auto [camera, place] = camera_for(trial, width);
@@ -148,10 +148,10 @@ Worst compare(gpu::Context& context, const Trial& trial, double width) {
     const auto [phase, direction] = phase_and_direction(trial, mesh);
     const Reference reference(trial, camera, place, phase, direction);
     Worst worst;
-    for (int row = 0; row < canvas.height; row += 5)
-        for (int column = 0; column < canvas.width; ++column) {
+    for (int row = 0; row < metal_canvas.height; row += 5)
+        for (int column = 0; column < metal_canvas.width; ++column) {
             if (!reference.inside(column, row)) continue;
-            const double drawn = double(color.f32()[3 * (row * canvas.width + column)]);
+            const double drawn = double(color.f32()[3 * (row * metal_canvas.width + column)]);
             worst.linear = std::max(worst.linear, std::abs(drawn - reference.by_derivatives(column, row)));
             worst.brightest = std::max(worst.brightest, drawn);
             ++worst.checked;
@@ -192,8 +192,8 @@ TEST_P(MetalTest, TintAndTonesAreMadeOfTheStripes) {
     SurfaceMaterial brass;
     brass.base_color = {0.8f, 0.6f, 0.2f, 1.0f};
     const auto draw = [&](const Metal& metal, bool normals) {
-        MetalScene scene(context(), canvas, surface_mesh(geometry::torus(1.0, 0.4, 96, 48), brass), metal, {1, 1, 0},
-                         1.5f, {.rotation = tilted()});
+        MetalScene scene(context(), metal_canvas, surface_mesh(geometry::torus(1.0, 0.4, 96, 48), brass), metal,
+                         {1, 1, 0}, 1.5f, {.rotation = tilted()});
         if (!normals) return scene.draw();
         scene.scene.renderer().request_aov("normal");
         scene.scene.renderer().render_frame();
@@ -208,7 +208,7 @@ TEST_P(MetalTest, TintAndTonesAreMadeOfTheStripes) {
                         w = draw(warm, false), h = draw(half, false), n = draw(grey, true);
     const dvec3 l = glm::normalize(dvec3(1, 1, 0)), k_d(0.8, 0.6, 0.2);
     int checked = 0, white = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(canvas.width * canvas.height); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(metal_canvas.width * metal_canvas.height); ++i) {
         const dvec3 normal(n.f32()[3 * i], n.f32()[3 * i + 1], n.f32()[3 * i + 2]);
         if (glm::length(normal) < 0.5) continue;
         ++checked;
@@ -239,17 +239,17 @@ TEST_P(MetalTest, TintAndTonesAreMadeOfTheStripes) {
 TEST_P(MetalTest, FarAwayTheMeanIsLeft) {
     for (const MetalSource source : {MetalSource::texture_u, MetalSource::around_axis, MetalSource::along_axis}) {
         const Metal metal{.source = source, .sets = 400, .seed = 3, .light_stripe = 0.0f};
-        MetalScene scene(context(), canvas, surface_mesh(geometry::cylinder(1.0, 4.0, 256)), metal, {1, 1, 1}, 4.0f,
-                         {.rotation = tilted()});
+        MetalScene scene(context(), metal_canvas, surface_mesh(geometry::cylinder(1.0, 4.0, 256)), metal, {1, 1, 1},
+                         4.0f, {.rotation = tilted()});
         const assets::Image picture = scene.draw();
         const std::vector<double> set = intensities_of(metal);
         double mean = 0.0;
         for (const double c : set) mean += c / static_cast<double>(set.size());
         int checked = 0;
         // In the middle: beyond the ends and at the outline there is the background.
-        for (int row = canvas.height / 2 - 8; row < canvas.height / 2 + 8; ++row)
-            for (int column = canvas.width / 2 - 8; column < canvas.width / 2 + 8; ++column) {
-                EXPECT_NEAR(double(picture.f32()[3 * (row * canvas.width + column)]), mean, 0.02);
+        for (int row = metal_canvas.height / 2 - 8; row < metal_canvas.height / 2 + 8; ++row)
+            for (int column = metal_canvas.width / 2 - 8; column < metal_canvas.width / 2 + 8; ++column) {
+                EXPECT_NEAR(double(picture.f32()[3 * (row * metal_canvas.width + column)]), mean, 0.02);
                 ++checked;
             }
         EXPECT_EQ(checked, 256);

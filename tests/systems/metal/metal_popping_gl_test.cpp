@@ -2,6 +2,7 @@
 // picture halves.
 
 #include <hachure/runtime/picture/popping.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
@@ -11,13 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "../../support/gl_fixture.h"
 #include "metal_scene.h"
 
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{72, 54};
+constexpr Canvas popping_canvas{72, 54};
 
 /// Where something is at so many degrees of its way.
 using Path = std::function<void(MetalScene&, double degrees)>;
@@ -81,7 +81,7 @@ TEST_P(MetalPoppingTest, TheLightMovesOnCylinderAndTorus) {
         for (const bool round : {false, true}) {
             SCOPED_TRACE(fmt::format("source {}, {}", static_cast<int>(source), round ? "torus" : "cylinder"));
             const Metal metal{.source = source, .highlight = round ? MetalHighlight::halfway : MetalHighlight::light};
-            MetalScene scene(context(), canvas,
+            MetalScene scene(context(), popping_canvas,
                              surface_mesh(round ? geometry::torus(1.0, 0.4, 48, 24) : geometry::cylinder(1.0, 3.0, 48)),
                              metal, {1, 1, 1}, 1.8f,
                              {.rotation = glm::angleAxis(0.6f, glm::normalize(glm::vec3(1, 0.2f, 0.4f)))});
@@ -100,7 +100,7 @@ TEST_P(MetalPoppingTest, TheCameraMoves) {
     for (const MetalSource source : {MetalSource::texture_u, MetalSource::around_axis, MetalSource::curvature}) {
         SCOPED_TRACE(fmt::format("source {}", static_cast<int>(source)));
         // Higher than the picture and wider: every pixel shows it.
-        MetalScene scene(context(), canvas, surface_mesh(geometry::cylinder(1.0, 3.0, 720)), {.source = source},
+        MetalScene scene(context(), popping_canvas, surface_mesh(geometry::cylinder(1.0, 3.0, 720)), {.source = source},
                          {1, 0.5f, 1}, 0.6f);
         expect_no_pop(scene, {"orbit", orbit, 0, 30});
     }

@@ -4,6 +4,7 @@
 #include <hachure/components/metal.h>
 #include <hachure/runtime/assets/image.h>
 #include <hachure/systems/metal/metal_frame.h>
+#include <hachure/tests/support/drawn_scene.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -14,8 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-
-#include "../../support/drawn_scene.h"
 
 namespace hachure::test {
 

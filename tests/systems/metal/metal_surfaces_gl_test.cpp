@@ -2,6 +2,7 @@
 
 #include <hachure/components/deformed.h>
 #include <hachure/systems/metal/metal_frame.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -13,13 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "../../support/gl_fixture.h"
 #include "metal_scene.h"
 
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{128, 96};
+constexpr Canvas surface_canvas{128, 96};
 
 using MetalSurfacesTest = GlTest;
 
@@ -33,7 +33,7 @@ Transform slanted() { return {.rotation = glm::angleAxis(0.9f, glm::normalize(gl
 TEST_P(MetalSurfacesTest, EverySourceDrawsStripesOfItsOwn) {
     std::vector<assets::Image> pictures;
     for (const MetalSource source : sources) {
-        MetalScene scene(context(), canvas, torus_mesh(), {.source = source}, {1, 1, 1}, 1.8f, slanted());
+        MetalScene scene(context(), surface_canvas, torus_mesh(), {.source = source}, {1, 1, 1}, 1.8f, slanted());
         pictures.push_back(scene.draw());
         EXPECT_TRUE(all_finite(pictures.back()));
         for (std::size_t other = 0; other + 1 < pictures.size(); ++other)
@@ -44,8 +44,8 @@ TEST_P(MetalSurfacesTest, EverySourceDrawsStripesOfItsOwn) {
 
 TEST_P(MetalSurfacesTest, TheSeedDecides) {
     const auto draw = [&](std::uint32_t seed) {
-        MetalScene scene(context(), canvas, torus_mesh(), {.source = MetalSource::texture_v, .seed = seed}, {1, 1, 1},
-                         1.8f, slanted());
+        MetalScene scene(context(), surface_canvas, torus_mesh(), {.source = MetalSource::texture_v, .seed = seed},
+                         {1, 1, 1}, 1.8f, slanted());
         return scene.draw();
     };
     const assets::Image one = draw(1);
@@ -57,7 +57,7 @@ TEST_P(MetalSurfacesTest, TheSeedDecides) {
 TEST_P(MetalSurfacesTest, NothingIsComputedAgainWithoutNeed) {
     for (const MetalSource source : sources) {
         SCOPED_TRACE(static_cast<int>(source));
-        MetalScene scene(context(), canvas, torus_mesh(), {.source = source}, {1, 1, 1});
+        MetalScene scene(context(), surface_canvas, torus_mesh(), {.source = source}, {1, 1, 1});
         EXPECT_EQ(scene.scene.draw_passes().at("metal"), gpu::PassState::run);
         const std::uint64_t computed = scene.frame().surfaces.frames_computed();
         EXPECT_EQ(computed, source == MetalSource::around_axis ? 0u : 1u);
@@ -76,7 +76,7 @@ TEST_P(MetalSurfacesTest, NothingIsComputedAgainWithoutNeed) {
 }
 
 TEST_P(MetalSurfacesTest, WhatIsNotDrawnAnyMoreIsForgotten) {
-    MetalScene scene(context(), canvas, torus_mesh(), {.source = MetalSource::texture_u}, {1, 1, 1}, 2.0f,
+    MetalScene scene(context(), surface_canvas, torus_mesh(), {.source = MetalSource::texture_u}, {1, 1, 1}, 2.0f,
                      {.scale = {1, 2, 1}});
     const Entity other = scene.scene.add(torus_mesh());
     scene.scene.world().add(other, Metal{.source = MetalSource::texture_v});
@@ -113,9 +113,9 @@ TEST_P(MetalSurfacesTest, TransformsAreAsMovedVertices) {
             SCOPED_TRACE(fmt::format("{} {} {} source {}", scale.x, scale.y, scale.z, static_cast<int>(source)));
             const Metal metal{.source = source};
             const glm::mat3 matrix = turn * glm::mat3(glm::scale(glm::mat4(1.0f), scale));
-            MetalScene placed(context(), canvas, surface_mesh(torus), metal, {1, 1, 1}, 2.0f,
+            MetalScene placed(context(), surface_canvas, surface_mesh(torus), metal, {1, 1, 1}, 2.0f,
                               {.rotation = slanted().rotation, .scale = scale});
-            MetalScene baked(context(), canvas, surface_mesh(moved(torus, matrix)), metal, {1, 1, 1});
+            MetalScene baked(context(), surface_canvas, surface_mesh(moved(torus, matrix)), metal, {1, 1, 1});
             const assets::Image a = placed.draw(), b = baked.draw();
             EXPECT_LT(changed_share(a, b, 2.0 / 255.0), 0.002); // an outline's pixels may fall on either side
         }
@@ -144,7 +144,7 @@ TEST_P(MetalSurfacesTest, SphereSquareAndCubeAreStable) {
     for (const auto& [name, shape] : shapes) {
         SCOPED_TRACE(name);
         const auto draw = [&](const geometry::Shape& drawn) {
-            MetalScene scene(context(), canvas, surface_mesh(drawn), {}, {1, 1, 1}, 1.5f, slanted());
+            MetalScene scene(context(), surface_canvas, surface_mesh(drawn), {}, {1, 1, 1}, 1.5f, slanted());
             return scene.draw();
         };
         const assets::Image exact = draw(shape);

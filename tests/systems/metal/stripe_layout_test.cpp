@@ -1,13 +1,12 @@
 #include <hachure/systems/metal/stretch.h>
 #include <hachure/systems/metal/stripe_layout.h>
+#include <hachure/tests/support/drawn_scene.h>
 
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
-
-#include "../../support/drawn_scene.h"
 
 namespace hachure::test {
 namespace {

@@ -12,6 +12,7 @@
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/tests/runtime/animation/gltf_sampling.h>
+#include <hachure/tests/support/given_models.h>
 
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -19,8 +20,6 @@
 
 #include <algorithm>
 #include <vector>
-
-#include "../../support/given_models.h"
 
 namespace hachure::test {
 namespace {

@@ -3,6 +3,7 @@
 #include <hachure/runtime/parallel.h>
 #include <hachure/systems/paper/grain.h>
 #include <hachure/systems/paper/height_map.h>
+#include <hachure/tests/support/temp_folder.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,8 +14,6 @@
 #include <limits>
 #include <numeric>
 #include <string>
-
-#include "../../support/temp_folder.h"
 
 namespace hachure {
 namespace {

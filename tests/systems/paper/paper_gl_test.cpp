@@ -3,6 +3,9 @@
 #include <hachure/components/paper.h>
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/error.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
+#include <hachure/tests/support/temp_folder.h>
 
 #include <gmock/gmock.h>
 
@@ -14,14 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
-#include "../../support/temp_folder.h"
-
 namespace hachure::test {
 namespace {
 
-constexpr int side = 256;
+constexpr int picture_side = 256;
 
 /// A square of one colour that fills the picture, or a part of it, on the paper's colour.
 struct Sheet {
@@ -46,7 +45,7 @@ SurfaceMesh square(const Sheet& sheet) {
 class PaperScene {
 public:
     PaperScene(gpu::Context& context, const Sheet& sheet, const std::optional<Paper>& paper)
-        : scene_(context, {side, side}) {
+        : scene_(context, {picture_side, picture_side}) {
         surface_ = scene_.add(square(sheet));
         if (sheet.lines) scene_.world().add(surface_, *sheet.lines);
         camera_ = scene_.add(Camera{.projection = Projection::orthographic, .ymag = 1.0f, .zfar = 10.0f},
@@ -85,13 +84,13 @@ glm::dvec3 mean(const assets::Image& image) {
 
 bool same(const assets::Image& a, const assets::Image& b) { return a.pixels == b.pixels; }
 
-constexpr PaperKind kinds[] = {PaperKind::tooth, PaperKind::cold_press, PaperKind::laid, PaperKind::canvas};
+constexpr PaperKind kinds_of_paper[] = {PaperKind::tooth, PaperKind::cold_press, PaperKind::laid, PaperKind::canvas};
 
 using PaperTest = GlTest;
 
 TEST_P(PaperTest, FlatTonesAreKeptOnAverage) {
     double worst = 0.0;
-    for (const PaperKind kind : kinds) {
+    for (const PaperKind kind : kinds_of_paper) {
         PaperScene scene(context(), {.color = glm::vec3(1.0f)}, Paper{.kind = kind});
         for (const float softness : {0.0f, 0.5f, 1.0f})
             for (const float grey : {0.03f, 0.2f, 0.5f, 0.8f, 0.97f}) {
@@ -111,7 +110,7 @@ TEST_P(PaperTest, ColoursAreKeptOnAverageOnAnyPaper) {
         for (const glm::vec3& color : {glm::vec3(0.6f, 0.1f, 0.3f), glm::vec3(0.8f, 0.75f, 0.7f), glm::vec3(0.05f)}) {
             const assets::Image image = colors(context(), {.color = color, .background = bare}, Paper{});
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean(image)[c], double(color[c]), 0.012) << c;
-            const auto [low, high] = std::minmax_element(image.f32(), image.f32() + 3 * side * side);
+            const auto [low, high] = std::minmax_element(image.f32(), image.f32() + 3 * picture_side * picture_side);
             EXPECT_GE(*low, -1e-5f);
             EXPECT_LE(*high, 1.0f + 1e-5f);
         }
@@ -137,8 +136,8 @@ TEST_P(PaperTest, PeaksCatchPigmentAndValleysResistIt) {
     for (const float grey : {0.25f, 0.5f, 0.75f}) {
         const assets::Image image =
             colors(context(), {.color = glm::vec3(grey)}, Paper{.file = file, .softness = 0.0f});
-        for (int x = 0; x < side; ++x) {
-            const float value = image.f32()[3 * (100 * side + x)];
+        for (int x = 0; x < picture_side; ++x) {
+            const float value = image.f32()[3 * (100 * picture_side + x)];
             const float edge = 256.0f * grey;
             if (std::abs(float(x) - edge) < 2.0f) continue;
             EXPECT_NEAR(value, float(x) < edge ? 1.0f : 0.0f, 1e-4) << grey << " at " << x;
@@ -160,7 +159,7 @@ TEST_P(PaperTest, StrengthLeadsFromNothingToAllOfIt) {
                         all = colors(context(), sheet, Paper{});
     EXPECT_TRUE(same(none, colors(context(), sheet, Paper{.strength = 0.0f})));
     double largest = 0.0;
-    for (int i = 0; i < 3 * side * side; ++i) {
+    for (int i = 0; i < 3 * picture_side * picture_side; ++i) {
         ASSERT_NEAR(half.f32()[i], 0.5f * (none.f32()[i] + all.f32()[i]), 1e-5f);
         largest = std::max(largest, double(std::abs(all.f32()[i] - none.f32()[i])));
     }
@@ -180,7 +179,7 @@ TEST_P(PaperTest, LinesShowThePaperWhereTheyAreAsked) {
     EXPECT_TRUE(same(plain, colors(context(), sheet, shading_alone))); // white shading, and lines as they were
     // With shading in the same pass, lines are the same.
     const assets::Image both = colors(context(), sheet, Paper{.pressure = 0.6f});
-    for (int i = 0; i < 3 * side * side; ++i) ASSERT_NEAR(both.f32()[i], papered.f32()[i], 1e-4f) << i;
+    for (int i = 0; i < 3 * picture_side * picture_side; ++i) ASSERT_NEAR(both.f32()[i], papered.f32()[i], 1e-4f) << i;
 }
 
 TEST_P(PaperTest, NothingRunsWithoutItOrWhileNothingChanges) {

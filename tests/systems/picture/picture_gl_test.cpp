@@ -9,6 +9,7 @@
 #include <hachure/runtime/scene/render_context.h>
 #include <hachure/systems/picture/picture_place.h>
 #include <hachure/systems/picture/tone.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <gmock/gmock.h>
 
@@ -18,7 +19,6 @@
 #include <string>
 #include <vector>
 
-#include "../../support/gl_fixture.h"
 #include "picture_scene.h"
 
 namespace hachure::test {
@@ -26,7 +26,7 @@ namespace {
 
 using gpu::PassState;
 
-constexpr Canvas canvas{64, 48};
+constexpr Canvas picture_canvas{64, 48};
 
 /// Largest difference of two float images.
 double largest_difference(const assets::Image& a, const std::vector<double>& b) {
@@ -64,21 +64,21 @@ using PictureTest = GlTest;
 
 TEST_P(PictureTest, AtItsOwnSizeEveryPixelIsExact) {
     const TempFolder folder;
-    assets::Image linear = assets::make_image(canvas.width, canvas.height, 3, assets::PixelType::f32);
-    const assets::Image bytes = noise(canvas.width, canvas.height, 3);
+    assets::Image linear = assets::make_image(picture_canvas.width, picture_canvas.height, 3, assets::PixelType::f32);
+    const assets::Image bytes = noise(picture_canvas.width, picture_canvas.height, 3);
     for (std::size_t i = 0; i < bytes.pixels.size(); ++i) linear.f32()[i] = float(bytes.u8()[i]) / 200.0f;
     assets::write_png(folder / "i.png", bytes);
     assets::write_exr(folder / "i.exr", linear, std::vector<std::string>{"R", "G", "B"});
     for (const auto& [name, image] :
          std::map<std::string, const assets::Image*>{{"i.png", &bytes}, {"i.exr", &linear}}) {
-        PictureScene scene(context(), canvas);
+        PictureScene scene(context(), picture_canvas);
         scene.show({.file = (folder / name).string()});
         const std::vector<float> tones = picture_tones(*image);
         const assets::Image drawn = scene.tones();
         ASSERT_EQ(drawn.channels, 1);
         for (std::size_t i = 0; i < tones.size(); ++i) ASSERT_EQ(drawn.f32()[i], tones[i]) << name << " " << i;
     }
-    PictureScene scene(context(), canvas);
+    PictureScene scene(context(), picture_canvas);
     scene.show({.file = (folder / "i.png").string()});
     const assets::Image drawn = scene.draw();
     int worst = 0;
@@ -98,17 +98,19 @@ TEST_P(PictureTest, ScaledPixelsAreMeans) {
                             Case{11, 9, PictureFit::cover}, Case{11, 9, PictureFit::contain}, Case{1, 1, {}}}) {
         const assets::Image image = noise(one.width, one.height, 3);
         assets::write_png(folder / "i.png", image);
-        PictureScene scene(context(), canvas);
+        PictureScene scene(context(), picture_canvas);
         scene.show({.file = (folder / "i.png").string(), .fit = one.fit});
-        const gpu::Rect place = picture_place(one.fit, one.width, one.height, canvas.width, canvas.height);
+        const gpu::Rect place =
+            picture_place(one.fit, one.width, one.height, picture_canvas.width, picture_canvas.height);
         const std::vector<float> tones = picture_tones(image);
         std::vector<double> wanted;
-        for (int y = 0; y < canvas.height; ++y)
-            for (int x = 0; x < canvas.width; ++x) {
-                const int up = canvas.height - 1 - y;
+        for (int y = 0; y < picture_canvas.height; ++y)
+            for (int x = 0; x < picture_canvas.width; ++x) {
+                const int up = picture_canvas.height - 1 - y;
                 const bool inside =
                     x >= place.x && x < place.x + place.width && up >= place.y && up < place.y + place.height;
-                wanted.push_back(inside ? mean_tone(tones, one.width, one.height, place, canvas.height, x, y) : 1.0);
+                wanted.push_back(inside ? mean_tone(tones, one.width, one.height, place, picture_canvas.height, x, y)
+                                        : 1.0);
             }
         EXPECT_LT(largest_difference(scene.tones(), wanted), 2e-5) << one.width << "x" << one.height;
     }
@@ -121,12 +123,12 @@ TEST_P(PictureTest, SmallerPicturesDoNotAlias) {
         assets::Image stripes = assets::make_image(width, 48, 1, assets::PixelType::u8);
         for (int i = 0; i < width * 48; ++i) stripes.u8()[i] = i % width % 2 ? 255 : 0;
         assets::write_png(folder / "s.png", stripes);
-        PictureScene scene(context(), canvas);
+        PictureScene scene(context(), picture_canvas);
         scene.show({.file = (folder / "s.png").string(), .fit = PictureFit::stretch});
         const assets::Image tones = scene.tones();
         // A pixel's edge may cut a stripe: off by at most half a texel of its four or five.
-        for (int x = 0; x < canvas.width; ++x)
-            EXPECT_NEAR(tones.f32()[x], 0.5, 0.51 * canvas.width / width) << width << " " << x;
+        for (int x = 0; x < picture_canvas.width; ++x)
+            EXPECT_NEAR(tones.f32()[x], 0.5, 0.51 * picture_canvas.width / width) << width << " " << x;
     }
 }
 
@@ -137,8 +139,8 @@ Entity add_cube(PictureScene& scene, float z) {
 
 TEST_P(PictureTest, LiesBehindSurfacesWithANumberOfItsOwn) {
     const TempFolder folder;
-    assets::write_png(folder / "i.png", noise(canvas.width, canvas.height, 3));
-    PictureScene scene(context(), canvas);
+    assets::write_png(folder / "i.png", noise(picture_canvas.width, picture_canvas.height, 3));
+    PictureScene scene(context(), picture_canvas);
     scene.renderer().request_aov("object_id");
     scene.renderer().request_aov("depth");
     add_cube(scene, -6.0f);
@@ -148,7 +150,7 @@ TEST_P(PictureTest, LiesBehindSurfacesWithANumberOfItsOwn) {
         scene.renderer().render_frame();
         return scene.renderer().read_aov("object_id");
     };
-    const std::size_t corner = 0, middle = std::size_t(canvas.width) * 24 + 32;
+    const std::size_t corner = 0, middle = std::size_t(picture_canvas.width) * 24 + 32;
     assets::Image drawn = ids();
     EXPECT_EQ(drawn.f32()[corner], 2.0f) << "the picture, made second";
     EXPECT_EQ(drawn.f32()[middle], 3.0f);
@@ -165,10 +167,10 @@ TEST_P(PictureTest, LiesBehindSurfacesWithANumberOfItsOwn) {
 
 TEST_P(PictureTest, StylesOfSurfacesDoNoHarm) {
     const TempFolder folder;
-    assets::write_png(folder / "i.png", noise(canvas.width, canvas.height, 3));
+    assets::write_png(folder / "i.png", noise(picture_canvas.width, picture_canvas.height, 3));
     assets::Image pictures[2];
     for (const bool styled : {false, true}) {
-        PictureScene scene(context(), canvas);
+        PictureScene scene(context(), picture_canvas);
         const Entity picture = scene.show({.file = (folder / "i.png").string()});
         const Entity cube = add_cube(scene, -4.0f);
         scene.world().add(cube, EdgeLines{.method = LineMethod::image});
@@ -268,14 +270,14 @@ TEST_P(PictureTest, WhatIsTransparentShowsTheBackground) {
 
 TEST_P(PictureTest, TheOneMadeLastLiesInFront) {
     const TempFolder folder;
-    assets::write_png(folder / "a.png", noise(canvas.width, canvas.height, 3));
+    assets::write_png(folder / "a.png", noise(picture_canvas.width, picture_canvas.height, 3));
     assets::Image plain = assets::make_image(64, 16, 3, assets::PixelType::u8);
     assets::write_png(folder / "b.png", plain);
-    PictureScene scene(context(), canvas);
+    PictureScene scene(context(), picture_canvas);
     scene.show({.file = (folder / "a.png").string()});
     scene.show({.file = (folder / "b.png").string()});
     const assets::Image tones = scene.tones();
-    EXPECT_EQ(tones.f32()[std::size_t(24 * canvas.width + 5)], 0.0f);
+    EXPECT_EQ(tones.f32()[std::size_t(24 * picture_canvas.width + 5)], 0.0f);
     EXPECT_GT(*std::max_element(tones.f32(), tones.f32() + 64), 0.9f);
 }
 
@@ -372,12 +374,12 @@ TEST_P(PictureTest, WhatStandsStillIsNotDrawnAgain) {
 
 TEST_P(PictureTest, FaultsOfFilesEndTheFrame) {
     const TempFolder folder;
-    assets::write_png(folder / "i.png", noise(canvas.width, canvas.height, 3));
+    assets::write_png(folder / "i.png", noise(picture_canvas.width, picture_canvas.height, 3));
     std::string broken = file_text(folder / "i.png");
     broken[broken.size() / 2] ^= 0x55;
     folder.write("broken.png", broken);
     for (const char* name : {"broken.png", "absent.png", "absent.mp4"}) {
-        PictureScene scene(context(), canvas);
+        PictureScene scene(context(), picture_canvas);
         scene.show({.file = (folder / name).string()});
         try {
             scene.renderer().render_frame();
@@ -386,7 +388,7 @@ TEST_P(PictureTest, FaultsOfFilesEndTheFrame) {
             EXPECT_THAT(error.what(), testing::HasSubstr(name));
         }
     }
-    PictureScene scene(context(), canvas);
+    PictureScene scene(context(), picture_canvas);
     scene.show({});
     EXPECT_FALSE(scene.draw_passes().contains("picture")) << "no file, nothing to draw";
 }

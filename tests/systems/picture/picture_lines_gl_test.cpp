@@ -1,6 +1,7 @@
 // Abstracted lines of pictures: found in their tones, whatever stands before them.
 
 #include <hachure/components/abstracted_lines.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <gmock/gmock.h>
 
@@ -9,13 +10,12 @@
 #include <functional>
 #include <vector>
 
-#include "../../support/gl_fixture.h"
 #include "picture_scene.h"
 
 namespace hachure::test {
 namespace {
 
-constexpr Canvas canvas{96, 64};
+constexpr Canvas line_canvas{96, 64};
 
 /// Dark discs and a bar on light grey, moved by whole pixels.
 assets::Image drawing(int width, int height, int right, int down) {
@@ -35,28 +35,28 @@ protected:
     /// The opacity of dark lines.
     std::vector<float> dark_lines(const assets::Image& image, const std::function<void(PictureScene&, Entity)>& more) {
         assets::write_png(folder_ / "i.png", image);
-        PictureScene scene(context(), canvas);
+        PictureScene scene(context(), line_canvas);
         const Entity picture = scene.show({.file = (folder_ / "i.png").string()});
         more(scene, picture);
         scene.renderer().request_aov("line_opacity");
         scene.renderer().render_frame();
         const assets::Image drawn = scene.renderer().read_aov("line_opacity");
         std::vector<float> result;
-        for (int i = 0; i < canvas.width * canvas.height; ++i) result.push_back(drawn.f32()[2 * i]);
+        for (int i = 0; i < line_canvas.width * line_canvas.height; ++i) result.push_back(drawn.f32()[2 * i]);
         return result;
     }
 
     static void add_lines(PictureScene& scene, Entity picture) { scene.world().add(picture, AbstractedLines{}); }
 
     static float at(const std::vector<float>& values, int x, int y) {
-        return values[static_cast<std::size_t>(y * canvas.width + x)];
+        return values[static_cast<std::size_t>(y * line_canvas.width + x)];
     }
 
     TempFolder folder_;
 };
 
 TEST_P(PictureLinesTest, LieAlongThinDarkTones) {
-    const std::vector<float> lines = dark_lines(drawing(canvas.width, canvas.height, 0, 0), add_lines);
+    const std::vector<float> lines = dark_lines(drawing(line_canvas.width, line_canvas.height, 0, 0), add_lines);
     for (int i = 0; i < 24; ++i) {
         const double angle = 0.2618 * i;
         const auto around = [&](double radius) {
@@ -73,8 +73,8 @@ TEST_P(PictureLinesTest, LieAlongThinDarkTones) {
 }
 
 TEST_P(PictureLinesTest, MoveWithThePicture) {
-    const std::vector<float> here = dark_lines(drawing(canvas.width, canvas.height, 0, 0), add_lines);
-    const std::vector<float> there = dark_lines(drawing(canvas.width, canvas.height, 9, 4), add_lines);
+    const std::vector<float> here = dark_lines(drawing(line_canvas.width, line_canvas.height, 0, 0), add_lines);
+    const std::vector<float> there = dark_lines(drawing(line_canvas.width, line_canvas.height, 9, 4), add_lines);
     int lit = 0;
     for (int y = 10; y < 50; ++y)
         for (int x = 10; x < 76; ++x) {
@@ -85,7 +85,7 @@ TEST_P(PictureLinesTest, MoveWithThePicture) {
 }
 
 TEST_P(PictureLinesTest, AreDrawnWhereThePictureIsSeenAlone) {
-    const assets::Image image = drawing(canvas.width, canvas.height, 0, 0);
+    const assets::Image image = drawing(line_canvas.width, line_canvas.height, 0, 0);
     const std::vector<float> none = dark_lines(image, [](PictureScene&, Entity) {});
     EXPECT_TRUE(std::ranges::all_of(none, [](float value) { return value == 0.0f; })) << "no component, no line";
     const std::vector<float> whole = dark_lines(image, add_lines);
@@ -95,7 +95,7 @@ TEST_P(PictureLinesTest, AreDrawnWhereThePictureIsSeenAlone) {
     });
     EXPECT_EQ(at(covered, 63, 32), 0.0f) << "the cube";
     double left = 0.0, right = 0.0;
-    for (int y = 0; y < canvas.height; ++y)
+    for (int y = 0; y < line_canvas.height; ++y)
         for (int x = 0; x < 40; ++x) {
             left += double(at(whole, x, y));
             right += double(std::abs(at(whole, x, y) - at(covered, x, y)));
@@ -105,7 +105,7 @@ TEST_P(PictureLinesTest, AreDrawnWhereThePictureIsSeenAlone) {
 }
 
 TEST_P(PictureLinesTest, VaryingWidthsOfSurfacesLeaveThemAlone) {
-    const assets::Image image = drawing(canvas.width, canvas.height, 0, 0);
+    const assets::Image image = drawing(line_canvas.width, line_canvas.height, 0, 0);
     const std::vector<float> alone = dark_lines(image, add_lines);
     const std::vector<float> beside = dark_lines(image, [](PictureScene& scene, Entity picture) {
         scene.world().add(picture, AbstractedLines{.width_by = LineAbstraction::depth});
@@ -113,7 +113,7 @@ TEST_P(PictureLinesTest, VaryingWidthsOfSurfacesLeaveThemAlone) {
         scene.world().add(cube, AbstractedLines{.width_by = LineAbstraction::depth, .min_width = 2.0f});
     });
     double apart = 0.0, all = 0.0;
-    for (int y = 0; y < canvas.height; ++y)
+    for (int y = 0; y < line_canvas.height; ++y)
         for (int x = 0; x < 60; ++x) {
             apart += double(std::abs(at(alone, x, y) - at(beside, x, y)));
             all += double(at(alone, x, y));

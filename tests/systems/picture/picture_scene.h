@@ -6,12 +6,11 @@
 #include <hachure/runtime/assets/frame_writer.h>
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/systems/picture/picture.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/temp_folder.h>
 
 #include <cstdint>
 #include <string>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/temp_folder.h"
 
 namespace hachure::test {
 

@@ -9,11 +9,10 @@
 #include <hachure/components/surface.h>
 #include <hachure/components/transform.h>
 #include <hachure/runtime/scene/mesh_store.h>
+#include <hachure/tests/support/given_models.h>
 #include <hachure/tests/systems/scene/scene_fixture.h>
 
 #include <fmt/format.h>
-
-#include "../../support/given_models.h"
 
 namespace hachure::test {
 namespace {

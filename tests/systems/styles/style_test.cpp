@@ -7,11 +7,10 @@
 #include <hachure/components/scene.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/styles/style.h>
+#include <hachure/tests/support/drawn_scene.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "../../support/drawn_scene.h"
 
 namespace hachure {
 namespace {

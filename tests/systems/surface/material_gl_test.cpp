@@ -1,16 +1,15 @@
 #include <hachure/components/gooch.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <cmath>
-
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {
 
 // The square [-1, 1]^2 fills the picture; 60 is a multiple of 4 texels with an odd quotient, so that the centre of
 // every texel is the centre of a pixel.
-constexpr int side = 60;
+constexpr int material_side = 60;
 
 SurfaceMesh square(const SurfaceMaterial& material) {
     SurfaceMesh mesh;
@@ -25,7 +24,7 @@ SurfaceMesh square(const SurfaceMaterial& material) {
 /// Draws the mesh without a style, from straight ahead, and returns its linear colours.
 assets::Image draw(gpu::Context& context, SurfaceMesh mesh, const std::vector<SurfaceTexture>& textures = {},
                    glm::vec3 tint = glm::vec3(1.0f)) {
-    DrawnScene scene(context, {side, side});
+    DrawnScene scene(context, {material_side, material_side});
     for (const SurfaceTexture& texture : textures)
         static_cast<void>(scene.world().resource_mutable<MeshStore>().add(texture));
     scene.world().get_mutable<Surface>(scene.add(std::move(mesh))).tint = tint;
@@ -36,7 +35,7 @@ assets::Image draw(gpu::Context& context, SurfaceMesh mesh, const std::vector<Su
 }
 
 glm::vec3 at(const assets::Image& image, int column, int row) {
-    const float* p = image.f32() + 3 * (row * side + column);
+    const float* p = image.f32() + 3 * (row * material_side + column);
     return {p[0], p[1], p[2]};
 }
 
@@ -90,9 +89,9 @@ TEST_P(MaterialTest, TextureCoordinatesAreTransformedAsGltfSays) {
     material.uv_rotation = 0.5f;
     const assets::Image image = draw(context(), square(material), {source});
     int checked = 0;
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            const double u = 2.0 * (column + 0.5) / side, v = 0.5 * (row + 0.5) / side;
+    for (int row = 0; row < material_side; ++row)
+        for (int column = 0; column < material_side; ++column) {
+            const double u = 2.0 * (column + 0.5) / material_side, v = 0.5 * (row + 0.5) / material_side;
             const double c = std::cos(0.5), s = std::sin(0.5);
             const double x = 4.0 * (0.1 + c * u + s * v), y = 4.0 * (0.3 - s * u + c * v);
             const double to_border = std::min(std::abs(x - std::round(x)), std::abs(y - std::round(y)));
@@ -103,7 +102,7 @@ TEST_P(MaterialTest, TextureCoordinatesAreTransformedAsGltfSays) {
                     << column << ", " << row;
             ++checked;
         }
-    EXPECT_GT(checked, side * side * 8 / 10);
+    EXPECT_GT(checked, material_side * material_side * 8 / 10);
 }
 
 TEST_P(MaterialTest, VertexColoursAreInterpolatedInLinearLight) {
@@ -113,9 +112,10 @@ TEST_P(MaterialTest, VertexColoursAreInterpolatedInLinearLight) {
     };
     for (const glm::vec3& p : mesh.positions) mesh.colors.emplace_back(glm::vec3(color(p.x, p.y)), 1.0f);
     const assets::Image image = draw(context(), mesh);
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            const glm::dvec3 expected = color((column + 0.5) / side * 2 - 1, 1 - (row + 0.5) / side * 2);
+    for (int row = 0; row < material_side; ++row)
+        for (int column = 0; column < material_side; ++column) {
+            const glm::dvec3 expected =
+                color((column + 0.5) / material_side * 2 - 1, 1 - (row + 0.5) / material_side * 2);
             for (int c = 0; c < 3; ++c) ASSERT_NEAR(at(image, column, row)[c], expected[c], 1e-3);
         }
 }
@@ -127,10 +127,11 @@ TEST_P(MaterialTest, FragmentsBelowTheCutOffAreNotDrawn) {
         SurfaceMesh mesh = square(material);
         for (const glm::vec3& p : mesh.positions) mesh.colors.emplace_back(0.0f, 0.0f, 0.0f, 0.5f + 0.5f * p.x);
         const assets::Image image = draw(context(), mesh);
-        for (int column = 0; column < side; ++column) {
-            const double alpha = (column + 0.5) / side;
-            if (std::abs(alpha - double(cutoff)) < 1.0 / side) continue;
-            EXPECT_EQ(at(image, column, side / 2).x, alpha < double(cutoff) ? 1.0f : 0.0f) << column << " " << cutoff;
+        for (int column = 0; column < material_side; ++column) {
+            const double alpha = (column + 0.5) / material_side;
+            if (std::abs(alpha - double(cutoff)) < 1.0 / material_side) continue;
+            EXPECT_EQ(at(image, column, material_side / 2).x, alpha < double(cutoff) ? 1.0f : 0.0f)
+                << column << " " << cutoff;
         }
     }
 }

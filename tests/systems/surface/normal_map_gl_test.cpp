@@ -3,6 +3,10 @@
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/given_models.h>
+#include <hachure/tests/support/gl_fixture.h>
+#include <hachure/tests/support/temp_folder.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
@@ -11,15 +15,10 @@
 #include <limits>
 #include <optional>
 
-#include "../../support/drawn_scene.h"
-#include "../../support/given_models.h"
-#include "../../support/gl_fixture.h"
-#include "../../support/temp_folder.h"
-
 namespace hachure::test {
 namespace {
 
-constexpr int side = 96;
+constexpr int map_side = 96;
 constexpr double view_half = 1.5; ///< metres from the middle of the picture to its border
 
 /// Texels are bytes, so nothing but float rounding is between the shader and the reference.
@@ -104,7 +103,7 @@ assets::Image draw_aov(DrawnScene& scene, const char* name) {
     return scene.renderer().read_aov(name);
 }
 
-assets::Image draw_normals(gpu::Context& context, const assets::Model& model, int size = side) {
+assets::Image draw_normals(gpu::Context& context, const assets::Model& model, int size = map_side) {
     DrawnScene scene(context, {size, size});
     EXPECT_THAT(spawn(scene, model).warnings, testing::IsEmpty());
     return draw_aov(scene, "normal");
@@ -169,7 +168,7 @@ glm::dvec3 texel(const assets::Image& image, int column, int row) {
     return {p[0], p[1], p[2]};
 }
 
-double coordinate(int pixel) { return view_half * ((pixel + 0.5) / side * 2.0 - 1.0); }
+double coordinate(int pixel) { return view_half * ((pixel + 0.5) / map_side * 2.0 - 1.0); }
 
 std::vector<Trial> trials() {
     const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), 0.7f, glm::normalize(glm::vec3(1, 2, 3)));
@@ -218,8 +217,8 @@ TEST_P(NormalMapTest, NormalsAreTheMapsOwn) {
         const Reference reference(trial);
         int checked = 0;
         double error = 0.0;
-        for (int row = 0; row < side; ++row)
-            for (int column = 0; column < side; ++column)
+        for (int row = 0; row < map_side; ++row)
+            for (int column = 0; column < map_side; ++column)
                 if (const auto expected = reference.at(coordinate(column), -coordinate(row))) {
                     error = std::max(error, glm::length(texel(image, column, row) - *expected));
                     ++checked;
@@ -242,7 +241,7 @@ TEST_P(NormalMapTest, GoochShadesWithTheMappedNormal) {
     const glm::vec3 slope(220 / 127.5f - 1.0f, 60 / 127.5f - 1.0f, 200 / 127.5f - 1.0f);
     plain.meshes[0].primitives[0].normals.assign(4, glm::normalize(slope));
     const auto draw = [&](const assets::Model& drawn) {
-        DrawnScene scene(context(), {side, side});
+        DrawnScene scene(context(), {map_side, map_side});
         for (const Entity surface : spawn(scene, drawn).surfaces) scene.world().add(surface, Gooch{});
         spawn_default_light(scene.world());
         return draw_aov(scene, "color");
@@ -250,19 +249,19 @@ TEST_P(NormalMapTest, GoochShadesWithTheMappedNormal) {
     const assets::Image mapped = draw(model), expected = draw(plain);
     model.materials[0].normal_texture = {};
     const assets::Image unmapped = draw(model);
-    for (const int pixel : {side / 4, side / 2, 3 * side / 4}) {
-        const glm::dvec3 color = texel(mapped, pixel, side / 2);
-        EXPECT_LT(glm::length(color - texel(expected, pixel, side / 2)), 1e-4) << pixel;
-        EXPECT_GT(glm::length(color - texel(unmapped, pixel, side / 2)), 0.02) << pixel;
+    for (const int pixel : {map_side / 4, map_side / 2, 3 * map_side / 4}) {
+        const glm::dvec3 color = texel(mapped, pixel, map_side / 2);
+        EXPECT_LT(glm::length(color - texel(expected, pixel, map_side / 2)), 1e-4) << pixel;
+        EXPECT_GT(glm::length(color - texel(unmapped, pixel, map_side / 2)), 0.02) << pixel;
     }
 }
 
 TEST_P(NormalMapTest, NoScaleMakesNormalsThatAreNone) {
     for (const float scale : {1e6f, 1e30f, -std::numeric_limits<float>::infinity()}) {
         const assets::Image image = draw_normals(context(), model_of({.scale = scale}));
-        for (int i = 0; i < side; ++i) {
+        for (int i = 0; i < map_side; ++i) {
             if (std::abs(coordinate(i)) > 0.98) continue;
-            EXPECT_NEAR(glm::length(texel(image, i, side / 2)), 1.0, 1e-5) << scale;
+            EXPECT_NEAR(glm::length(texel(image, i, map_side / 2)), 1.0, 1e-5) << scale;
         }
     }
 }
@@ -280,10 +279,10 @@ TEST_P(NormalMapTest, PartsWithoutAMapKeepTheirNormals) {
     model.materials.emplace_back();
     model.meshes[0].primitives.insert(model.meshes[0].primitives.end(), {plain, untextured});
     const assets::Image image = draw_normals(context(), model);
-    for (int row = 0; row < side; ++row) {
+    for (int row = 0; row < map_side; ++row) {
         if (std::abs(coordinate(row)) > 0.98) continue;
-        EXPECT_EQ(texel(image, 3 * side / 4 - 4, row), glm::dvec3(0, 0, 1)) << row;
-        EXPECT_GT(glm::length(texel(image, side / 4 + 4, row) - glm::dvec3(0, 0, 1)), 0.02) << row;
+        EXPECT_EQ(texel(image, 3 * map_side / 4 - 4, row), glm::dvec3(0, 0, 1)) << row;
+        EXPECT_GT(glm::length(texel(image, map_side / 4 + 4, row) - glm::dvec3(0, 0, 1)), 0.02) << row;
     }
 }
 

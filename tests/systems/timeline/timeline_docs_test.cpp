@@ -5,14 +5,13 @@
 #include <hachure/runtime/assets/json_text.h>
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/tests/support/arm_model.h>
 #include <hachure/tests/systems/timeline/timeline_scene.h>
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
-
-#include "../../support/arm_model.h"
 
 namespace hachure::test {
 namespace {

@@ -2,6 +2,9 @@
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/scene/light_list.h>
 #include <hachure/systems/toon/toon.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
+#include <hachure/tests/support/temp_folder.h>
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -13,9 +16,6 @@
 #include <set>
 #include <string>
 
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
-#include "../../support/temp_folder.h"
 #include "closed_form.h"
 
 namespace hachure::test {

@@ -7,6 +7,9 @@
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/systems/toon/toon.h>
+#include <hachure/tests/support/arm_model.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
@@ -15,10 +18,6 @@
 #include <cmath>
 #include <cstring>
 #include <random>
-
-#include "../../support/arm_model.h"
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {

@@ -1,14 +1,13 @@
 #include <hachure/components/animation.h>
 #include <hachure/components/rig.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/tests/support/arm_model.h>
+#include <hachure/tests/support/drawn_scene.h>
+#include <hachure/tests/support/gl_fixture.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "../../support/arm_model.h"
-#include "../../support/drawn_scene.h"
-#include "../../support/gl_fixture.h"
 
 namespace hachure::test {
 namespace {

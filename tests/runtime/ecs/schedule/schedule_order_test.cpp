@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-struct Wind {};
+struct Gust {};
 struct Hit {};
 
 void nothing(LastRun) {}
@@ -125,7 +125,7 @@ TEST(ScheduleOrderTest, ConflictsWithoutOrderAreAmbiguous) {
     Schedule schedule;
     schedule.add(Stage::script, "writer", [](Query<Speed>) {});
     schedule.add(Stage::script, "reader", [](Query<const Speed, const Position>) {});
-    schedule.add(Stage::script, "other", [](Query<const Position>, Wind*) {});
+    schedule.add(Stage::script, "other", [](Query<const Position>, Gust*) {});
     schedule.add(Stage::render, "later", [](Query<Speed>) {});
     schedule.add(Stage::script, "step", [](Query<Speed>) {}).fixed();
     const std::vector<Ambiguity> found = schedule.ambiguities();
@@ -147,15 +147,15 @@ TEST(ScheduleOrderTest, ChainsOfOrderSettleAmbiguities) {
 
 TEST(ScheduleOrderTest, ConditionsRaceToo) {
     Schedule schedule;
-    schedule.add(Stage::script, "writer", [](Wind&) {});
-    schedule.add(Stage::script, "asks", nothing).run_if([](const Wind&) { return true; });
+    schedule.add(Stage::script, "writer", [](Gust&) {});
+    schedule.add(Stage::script, "asks", nothing).run_if([](const Gust&) { return true; });
     EXPECT_EQ(schedule.ambiguities().size(), 1u);
 }
 
 TEST(ScheduleOrderTest, SaysWhatSystemsTouch) {
     Schedule schedule;
     schedule.add(Stage::render, "draw", [](World&) {});
-    schedule.add(Stage::script, "steer", [](Query<const Position, Speed>, Commands&) {}).run_if([](const Wind&) {
+    schedule.add(Stage::script, "steer", [](Query<const Position, Speed>, Commands&) {}).run_if([](const Gust&) {
         return true;
     });
     const std::vector<SystemInfo> systems = schedule.systems();
@@ -165,7 +165,7 @@ TEST(ScheduleOrderTest, SaysWhatSystemsTouch) {
     Access expected;
     expected.read_component<Position>();
     expected.write_component<Speed>();
-    expected.read_resource<Wind>();
+    expected.read_resource<Gust>();
     const auto same = [](const Access::Item& a, const Access::Item& b) { return a.id == b.id && a.writes == b.writes; };
     EXPECT_TRUE(std::ranges::equal(systems[0].access.components, expected.components, same));
     EXPECT_TRUE(std::ranges::equal(systems[0].access.resources, expected.resources, same)) << "of the condition";
@@ -186,7 +186,7 @@ TEST(ScheduleOrderTest, NamesWhatSystemsRaceOn) {
     EXPECT_EQ(on([](Commands&) {}, [](Commands&) {}), "Commands");
     EXPECT_EQ(on([](World&) {}, nothing), "World");
     EXPECT_THAT(on([](EventWriter<Hit>) {}, [](EventReader<Hit>) {}), HasSubstr("Hit"));
-    EXPECT_THAT(on([](const World&) {}, [](Wind&) {}), HasSubstr("Wind"));
+    EXPECT_THAT(on([](const World&) {}, [](Gust&) {}), HasSubstr("Gust"));
     EXPECT_EQ(on([](Query<const Speed>) {}, [](Query<const Speed>) {}), "nothing");
     EXPECT_EQ(on([](Query<Speed>) {}, [](Query<const Position, With<Speed>>, Removed<Speed>) {}), "nothing");
 }

@@ -17,10 +17,10 @@ using namespace test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-struct Wind {
+struct Breeze {
     double speed = 0;
 };
-struct Hit {
+struct Blow {
     int damage = 0;
 };
 
@@ -49,10 +49,10 @@ TEST(SystemParamTest, TermsOfQueriesAreReadOrWritten) {
 }
 
 TEST(SystemParamTest, ConstnessOfResourcesIsTheirAccess) {
-    EXPECT_THAT(described(needs_of([](const Wind&) {}).access.resources), ElementsAre("reads Wind"));
-    EXPECT_THAT(described(needs_of([](const Wind*) {}).access.resources), ElementsAre("reads Wind"));
-    EXPECT_THAT(described(needs_of([](Wind&) {}).access.resources), ElementsAre("writes Wind"));
-    EXPECT_THAT(described(needs_of([](Wind*) {}).access.resources), ElementsAre("writes Wind"));
+    EXPECT_THAT(described(needs_of([](const Breeze&) {}).access.resources), ElementsAre("reads Breeze"));
+    EXPECT_THAT(described(needs_of([](const Breeze*) {}).access.resources), ElementsAre("reads Breeze"));
+    EXPECT_THAT(described(needs_of([](Breeze&) {}).access.resources), ElementsAre("writes Breeze"));
+    EXPECT_THAT(described(needs_of([](Breeze*) {}).access.resources), ElementsAre("writes Breeze"));
 }
 
 TEST(SystemParamTest, TheOthers) {
@@ -60,8 +60,8 @@ TEST(SystemParamTest, TheOthers) {
     EXPECT_TRUE(needs_of([](const World&) {}).access.reads_world);
     EXPECT_TRUE(needs_of([](Commands&) {}).access.commands);
     EXPECT_FALSE(needs_of([](LastRun, Removed<Speed>) {}).access.writes());
-    const detail::SystemNeeds reader = needs_of([](EventReader<Hit>) {});
-    const detail::SystemNeeds writer = needs_of([](EventWriter<Hit>) {});
+    const detail::SystemNeeds reader = needs_of([](EventReader<Blow>) {});
+    const detail::SystemNeeds writer = needs_of([](EventWriter<Blow>) {});
     EXPECT_FALSE(reader.access.writes());
     EXPECT_TRUE(conflicts(reader.access, writer.access));
     EXPECT_TRUE(conflicts(writer.access, writer.access));
@@ -70,12 +70,12 @@ TEST(SystemParamTest, TheOthers) {
 
 TEST(SystemParamTest, KnowsWhatASystemCanTake) {
     using detail::SystemParameter;
-    static_assert(SystemParameter<Query<const Position>> && SystemParameter<const Wind&> && SystemParameter<Wind*>);
-    static_assert(SystemParameter<Removed<Speed>> && SystemParameter<EventReader<Hit>> && SystemParameter<LastRun>);
-    static_assert(!SystemParameter<int> && !SystemParameter<int&> && !SystemParameter<Wind> &&
-                  !SystemParameter<Wind&&>);
+    static_assert(SystemParameter<Query<const Position>> && SystemParameter<const Breeze&> && SystemParameter<Breeze*>);
+    static_assert(SystemParameter<Removed<Speed>> && SystemParameter<EventReader<Blow>> && SystemParameter<LastRun>);
+    static_assert(!SystemParameter<int> && !SystemParameter<int&> && !SystemParameter<Breeze> &&
+                  !SystemParameter<Breeze&&>);
     static_assert(!SystemParameter<Commands> && !SystemParameter<const Commands&> && !SystemParameter<World*>);
-    static_assert(!SystemParameter<Query<Position>&> && !SystemParameter<const EventReader<Hit>&>);
+    static_assert(!SystemParameter<Query<Position>&> && !SystemParameter<const EventReader<Blow>&>);
     const auto overloaded = [](auto&&...) {};
     static_assert(!detail::HasSignature<decltype(overloaded)>);
     SUCCEED() << "checked by the compiler";
@@ -118,17 +118,17 @@ TEST(SystemParamTest, ResourcesArriveAndMustBeThereByReference) {
     World world;
     Schedule schedule;
     int runs = 0;
-    const Wind* seen = nullptr;
-    schedule.add(Stage::input, "pointer", [&](const Wind* wind) { seen = wind; });
-    schedule.add(Stage::script, "reference", [&](const Wind& wind) { runs += wind.speed > 0; });
+    const Breeze* seen = nullptr;
+    schedule.add(Stage::input, "pointer", [&](const Breeze* wind) { seen = wind; });
+    schedule.add(Stage::script, "reference", [&](const Breeze& wind) { runs += wind.speed > 0; });
     try {
         schedule.run(world);
         FAIL() << "nothing thrown";
     } catch (const MissingResource& error) {
-        EXPECT_THAT(error.what(), HasSubstr("Wind"));
+        EXPECT_THAT(error.what(), HasSubstr("Breeze"));
     }
     EXPECT_EQ(seen, nullptr);
-    const Wind& wind = world.set_resource(Wind{3});
+    const Breeze& wind = world.set_resource(Breeze{3});
     schedule.run(world);
     EXPECT_EQ(seen, &wind);
     EXPECT_EQ(runs, 1);
@@ -136,12 +136,12 @@ TEST(SystemParamTest, ResourcesArriveAndMustBeThereByReference) {
 
 TEST(SystemParamTest, ResourcesCanBeWritten) {
     World world;
-    world.set_resource(Wind{3});
+    world.set_resource(Breeze{3});
     Schedule schedule;
-    schedule.add(Stage::input, "by reference", [](Wind& wind) { wind.speed *= 2; });
-    schedule.add(Stage::input, "by pointer", [](Wind* wind) { wind->speed += 1; });
+    schedule.add(Stage::input, "by reference", [](Breeze& wind) { wind.speed *= 2; });
+    schedule.add(Stage::input, "by pointer", [](Breeze* wind) { wind->speed += 1; });
     schedule.run(world);
-    EXPECT_EQ(world.resource<Wind>().speed, 7);
+    EXPECT_EQ(world.resource<Breeze>().speed, 7);
 }
 
 TEST(SystemParamTest, AFunctorKeepsItsStateBetweenRuns) {
