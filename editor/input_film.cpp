@@ -17,8 +17,7 @@ namespace {
 assets::FrameRate sequence_rate(std::span<const Assignment> assignments) {
     double rate = double(Picture{}.frames_per_second);
     for (const Assignment& assignment : assignments)
-        if (assignment.type->name == "picture" && assignment.field->path == "frames_per_second")
-            rate = std::get<double>(assignment.value);
+        if (assignment.field->path == "picture.frames_per_second") rate = std::get<double>(assignment.value);
     return assets::parse_frame_rate(fmt::format("{:.6f}", rate)).value_or(assets::FrameRate{});
 }
 

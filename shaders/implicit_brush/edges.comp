@@ -54,8 +54,10 @@ void add_row(int row, ivec2 pixel, Stamp stamp) {
     int left = int(ceil(stamp.shift.x - outer)), right = int(floor(stamp.shift.x + outer));
     WHOLE before = WHOLE(0);
     if (inner > 1.0) {
-        before = add_rim(left, int(ceil(stamp.shift.x - inner)), row, pixel, stamp, before);
-        left = int(floor(stamp.shift.x + inner));
+        // The constant part begins at its left end, or where the picture does.
+        int from = int(ceil(stamp.shift.x - inner)), to = int(floor(stamp.shift.x + inner));
+        before = add_rim(left, min(max(from, painted.x - pixel.x), to), row, pixel, stamp, before);
+        left = to;
     }
     before = add_rim(left, right, row, pixel, stamp, before);
     int end = pixel.x + right + 1;

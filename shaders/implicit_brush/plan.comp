@@ -15,10 +15,10 @@ uniform int sum_rows;    // of running sums
 uniform int forced;      // a method, or 0 for the cheapest
 
 // Nanoseconds (systems/implicit_brush/convolution_cost.h).
-uniform float splat_stamp, splat_pixel, splat_tile;
+uniform float splat_stamp, splat_tile;
 uniform float gather_tile, gather_pair;
 uniform float marked_tile, marked_pair;
-uniform float sum_all, sum_stamp; // less than 0 where there are no such sums
+uniform float sum_all, sum_stamp, sum_tile; // less than 0 where there are no such sums
 
 shared uint sums[GROUP];
 
@@ -82,10 +82,10 @@ uint list_tiles(out uint pairs) {
 }
 
 uint cheapest(uint stamps, uint reached_tiles, uint pairs) {
-    float splat = float(stamps) * (splat_stamp + splat_pixel) + float(reached_tiles) * splat_tile;
+    float splat = float(stamps) * splat_stamp + float(reached_tiles) * splat_tile;
     float gather = float(reached_tiles) * gather_tile + float(pairs) * gather_pair;
     float marked = float(reached_tiles) * marked_tile + float(pairs) * marked_pair;
-    float sums = sum_all + float(stamps) * sum_stamp + float(reached_tiles) * splat_tile;
+    float sums = sum_all + float(stamps) * sum_stamp + float(reached_tiles) * sum_tile;
     float least = min(splat, min(gather, marked));
     if (sum_all >= 0.0 && sums < least) return 4u;
     return splat == least ? 1u : gather == least ? 2u : 3u;

@@ -141,6 +141,8 @@ void StampConvolver::run(RenderContext& render, const ConvolveJob& job, std::spa
         plan_ = gpu::Buffer(sizeof(ConvolutionPlan), gpu::BufferUsage::immutable, "convolution plan");
         vertex_array_ = gpu::VertexArray("convolution");
     }
+    const bool chosen = !job.may_use(job.method) || job.method == BrushMethod::automatic;
+    if (chosen && !cost_) cost_ = context_cost(render);
     const Run run(render, job, scratch);
     if (run.painted.width <= 0 || run.painted.height <= 0) return plan_.clear();
     mark(run);
@@ -181,10 +183,7 @@ void StampConvolver::plan(const Run& run) {
     program.set("sum_rows", (run.job.sums_opacity() ? 1 : 4) * run.painted.height);
     const bool forced = run.job.may_use(run.job.method) && run.job.method != BrushMethod::automatic;
     program.set("forced", forced ? static_cast<int>(run.job.method) : 0);
-    if (!forced) {
-        if (!cost_) cost_.emplace();
-        cost_->set(program, run.job, run.width, run.height);
-    }
+    if (!forced) cost_->prices(run.job, run.width, run.height).set(program);
     plan_.bind_base(gpu::BufferBinding::storage, 0);
     run.texture(run.marks).bind(marks_unit);
     run.texture(run.reached).bind(list_unit);

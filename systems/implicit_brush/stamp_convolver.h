@@ -13,14 +13,6 @@ namespace hachure {
 
 struct RenderContext;
 
-/// What was done in the latest run.
-struct ConvolutionCounts {
-    BrushMethod method = BrushMethod::automatic; ///< never automatic
-    std::uint32_t stamps = 0;                    ///< pixels that stamp
-    std::uint32_t tiles = 0;                     ///< of 16 x 16 pixels, that may get ink
-    std::uint32_t pairs = 0;                     ///< of a tile and a stamp that may reach it
-};
-
 /// Adds up the stamps of brushes and paints their lines. It keeps what the GPU writes its draws into: pixels that stamp
 /// are found and counted there, the way to add them up is chosen there, and nothing is drawn where no stamp reaches.
 /// All ways add in the same order, row by row, so that pictures do not depend on the choice.
@@ -29,7 +21,7 @@ public:
     /// `scratch`: textures as the job asked for.
     void run(RenderContext& render, const ConvolveJob& job, std::span<const std::uint32_t> scratch);
 
-    /// Waits for the GPU.
+    /// Of the latest run; waits for the GPU.
     [[nodiscard]] ConvolutionCounts counts() const;
 
 private:

@@ -89,10 +89,11 @@ TEST_F(PictureInput, AFilmShowsAllOfAVideoUnlessFramesAreAskedFor) {
         << "an image has no length";
 }
 
+/// The program is started, not forked: OpenEXR has written with threads, which a fork does not have.
 class NumberedInput : public PictureInput {
 protected:
     NumberedInput() {
-        for (const int number : {7, 8, 9, 11})
+        for (int number = 7; number <= 11; ++number)
             write_layers(assets::frame_file(folder / "shot.####.exr", number), 32, 16, [&](int x, int) {
                 const float light = float(number) / 20.0f;
                 return LayeredPixel{.color = {light, light, light},
@@ -107,21 +108,26 @@ protected:
 };
 
 TEST_F(NumberedInput, FramesAreTheFilesFromTheLowestNumber) {
-    const ProcessResult result = render({"shot.####.exr", "-o", "f.#.png", "--style", "plain.json"});
-    ASSERT_TRUE(succeeded(result));
-    EXPECT_EQ(result.err,
-              "hachure: warning: shot.####.exr: frames that are missing (1 of 5, shot.0010.exr) show the one "
-              "before\n");
-    const int shown[] = {7, 8, 9, 9, 11};
-    for (int i = 0; i < 5; ++i) EXPECT_NEAR(grey("f." + std::to_string(i) + ".png"), grey_of(shown[i]), 1) << i;
+    ASSERT_TRUE(succeeded(render({"shot.####.exr", "-o", "f.#.png", "--style", "plain.json"})));
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(grey("f." + std::to_string(i) + ".png"), grey_of(7 + i), 1) << i;
     EXPECT_FALSE(std::filesystem::exists(folder / "f.5.png"));
     ASSERT_TRUE(succeeded(render({"shot.####.exr", "-o", "first.png", "--style", "plain.json"})));
     EXPECT_TRUE(file_text(folder / "first.png") == file_text(folder / "f.0.png"));
     ASSERT_TRUE(succeeded(render({"shot.####.exr", "-o", "t.png", "--style", "plain.json", "--time", "0.14"})));
     EXPECT_TRUE(file_text(folder / "t.png") == file_text(folder / "f.4.png")) << "30 frames are a second";
     ASSERT_TRUE(succeeded(
-        render({"shot.####.exr", "-o", "slow.#.png", "--style", "plain.json", "--frames", "3..4", "--fps", "60"})));
+        render({"shot.####.exr", "-o", "slow.#.png", "--style", "plain.json", "--frames", "3", "--fps", "60"})));
     EXPECT_TRUE(file_text(folder / "slow.3.png") == file_text(folder / "f.1.png")) << "frame k shows second k / fps";
+}
+
+TEST_F(NumberedInput, AMissingOneShowsTheOneBefore) {
+    std::filesystem::remove(folder / "shot.0010.exr");
+    const ProcessResult result = render({"shot.####.exr", "-o", "f.#.png", "--style", "plain.json"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err,
+              "hachure: warning: shot.####.exr: frames that are missing (1 of 5, shot.0010.exr) show the one before\n");
+    EXPECT_TRUE(file_text(folder / "f.3.png") == file_text(folder / "f.2.png"));
+    EXPECT_NEAR(grey("f.4.png"), grey_of(11), 1);
 }
 
 TEST_F(NumberedInput, BecomeAFilmAtTheirRate) {
@@ -142,38 +148,40 @@ TEST_F(NumberedInput, LayersAreAovs) {
     ASSERT_TRUE(succeeded(render({"shot.####.exr", "-o", "f.#.png", "--style", "plain.json", "--aov",
                                   "picture_depth=d.#.exr", "--aov", "picture_normal=n.#.exr"})));
     const assets::Image depth = assets::read_image(folder / "d.3.exr"), normal = assets::read_image(folder / "n.0.exr");
-    EXPECT_EQ(depth.f32()[0], 9.0f);
+    EXPECT_EQ(depth.f32()[0], 10.0f);
     EXPECT_EQ(depth.f32()[31], 1e10f);
     EXPECT_EQ(normal.f32()[2], 1.0f);
     EXPECT_EQ(normal.f32()[3 * 31 + 2], 0.0f);
 }
 
 TEST_F(NumberedInput, InfoTellsFramesAndLayers) {
-    const ProcessResult result = forked_command({"info", "shot.####.exr"}, folder.path());
+    std::filesystem::remove(folder / "shot.0010.exr");
+    const ProcessResult result = hachure_program(folder, {"info", "shot.####.exr"});
     ASSERT_TRUE(succeeded(result));
     EXPECT_THAT(result.out,
                 testing::AllOf(HasSubstr("kind           numbered images\n"), HasSubstr("size           32x16\n"),
                                HasSubstr("frames         5, numbers 7 to 11, 1 missing\n"),
                                HasSubstr("color          R G B\n"), HasSubstr("normal         N.X N.Y N.Z\n"),
                                HasSubstr("depth          Z\n")));
-    EXPECT_THAT(forked_command({"info", "shot.0008.exr"}, folder.path()).out,
+    EXPECT_THAT(hachure_program(folder, {"info", "shot.0008.exr"}).out,
                 testing::AllOf(HasSubstr("kind           image\n"), HasSubstr("depth          Z\n")));
-    EXPECT_THAT(forked_command({"info", "photo.png"}, folder.path()).out,
+    EXPECT_THAT(hachure_program(folder, {"info", "photo.png"}).out,
                 testing::AllOf(HasSubstr("channels       3 x 8 bit\n"), testing::Not(HasSubstr("depth"))));
 }
 
 TEST_F(NumberedInput, ArePlayedAndShownInScenes) {
+    std::filesystem::remove(folder / "shot.0010.exr");
     folder.write("t.play.json", R"({"hachure_play": 1, "scene": "shot.####.exr", "style": "plain.json", "fps": 30,
-        "size": [32, 16], "frames": 6, "expect": [{"frame": 3, "passes": []}, {"frame": 4, "passes": ["picture"]},
+        "size": [32, 16], "frames": 6, "expect": [{"frame": 3, "passes": []}, {"frame": 4, "passes": ["picture", "targets"]},
                                                   {"frame": 5, "passes": []}]})");
-    EXPECT_EQ(forked_command({"play", "t.play.json"}, folder.path()).exit_code, 0);
+    EXPECT_EQ(hachure_program(folder, {"play", "t.play.json"}).exit_code, 0);
     folder.write("s.scene.json", R"({"hachure_scene": 1, "style": "plain.json", "entities": [
         {"name": "shot", "picture": {"file": "shot.####.exr", "frames_per_second": 10}}]})");
-    EXPECT_EQ(forked_command({"validate", "s.scene.json"}, folder.path()).out, "1 file, 0 faults, 0 warnings\n");
-    ASSERT_TRUE(succeeded(render({"s.scene.json", "-o", "out.png", "--size", "32x16", "--time", "0.2"})));
+    EXPECT_EQ(hachure_program(folder, {"validate", "s.scene.json"}).out, "1 file, 0 faults, 0 warnings\n");
+    EXPECT_EQ(render({"s.scene.json", "-o", "out.png", "--size", "32x16", "--time", "0.2"}).exit_code, 0);
     EXPECT_NEAR(grey("out.png"), grey_of(9), 1);
     assets::write_png(folder / "shot.0008.exr", noise(5, 5, 3)); // another size, and no EXR
-    EXPECT_THAT(forked_command({"validate", "s.scene.json"}, folder.path()).out, HasSubstr("shot.0008.exr: "));
+    EXPECT_THAT(hachure_program(folder, {"validate", "s.scene.json"}).out, HasSubstr("shot.0008.exr: "));
 }
 
 TEST_F(NumberedInput, FaultsAreOneLine) {

@@ -22,7 +22,7 @@ inline assets::Image frame_normals(gpu::Context& context, int width, int height)
 
 /// Stamps along the lines of a square part of a frame.
 inline StampImage frame_stamps(gpu::Context& context, int size, double radius, const StampVariety& variety = {}) {
-    const StampImage whole = stamps_of_normals(frame_normals(context, 2 * size, 2 * size), 0.03, 0.15, radius, variety);
+    const StampImage whole = stamps_of_normals(frame_normals(context, 2 * size, 2 * size), 0.06, 0.25, radius, variety);
     StampImage part(size, size);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) part.at(x, y) = whole.at(x + size / 2, y + size / 3);

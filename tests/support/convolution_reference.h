@@ -185,7 +185,7 @@ inline std::vector<double> convolution_reference(const StampImage& image, const 
             const FootprintReference form(job.footprint, radius, double(stamp.angle), bitmap);
             const std::array ink = {double(stamp.red), double(stamp.green), double(stamp.blue), weight};
             const int far =
-                static_cast<int>(std::ceil(1.5 * radius + 4.0 + std::hypot(double(stamp.x), double(stamp.y))));
+                static_cast<int>(std::ceil(job.footprint.reach(radius) + std::hypot(double(stamp.x), double(stamp.y))));
             for (int j = std::max(y - far, 0); j <= std::min(y + far, image.height - 1); ++j)
                 for (int i = std::max(x - far, 0); i <= std::min(x + far, image.width - 1); ++i) {
                     const auto tip = form.at(i - x - double(stamp.x), j - y - double(stamp.y));

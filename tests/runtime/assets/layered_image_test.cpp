@@ -2,6 +2,7 @@
 #include <hachure/runtime/assets/layered_image.h>
 #include <hachure/runtime/error.h>
 #include <hachure/tests/support/exr_file.h>
+#include <hachure/tests/support/mutations.h>
 #include <hachure/tests/support/temp_folder.h>
 
 #include <gmock/gmock.h>
@@ -239,6 +240,30 @@ TEST(LayeredImage, BrokenFilesAreRefusedByName) {
     EXPECT_THAT(layered_fault([&] { static_cast<void>(read_layers(folder / "huge.exr", all)); }),
                 HasSubstr("is too large: 60000x60000"));
     EXPECT_THAT(layered_fault([&] { static_cast<void>(read_image(folder / "huge.exr")); }), HasSubstr("is too large"));
+}
+
+/// Bytes changed one or a few at a time, most of them in the header: read, or refused with the file's name.
+TEST(LayeredImage, DamagedFilesAreReadOrRefused) {
+    const TempFolder folder;
+    write_exr_parts(folder / "lines.exr", {numbers({.channels = layered, .width = 16, .height = 16})});
+    write_exr_parts(folder / "tiles.exr", {numbers({.channels = layered, .width = 16, .height = 16, .tile = 8})});
+    std::uint32_t state = 1;
+    const auto random = [&](std::size_t below) {
+        state = state * 1664525u + 1013904223u;
+        return static_cast<std::size_t>(state >> 8) % below;
+    };
+    int refused = 0;
+    for (int i = 0; i < test::mutation_count() / 2; ++i) {
+        std::string bytes = test::file_text(folder / (i % 2 ? "lines.exr" : "tiles.exr"));
+        for (std::size_t n = 0; n <= random(3); ++n)
+            bytes[random(random(4) > 0 ? 700 : bytes.size())] ^= static_cast<char>(1u << random(8));
+        const auto file = folder.write("d.exr", bytes);
+        const std::string found = fault([&] { static_cast<void>(read_layers(file, all)); });
+        refused += found != "none";
+        EXPECT_TRUE(found == "none" || found.starts_with(file.string() + ": ")) << i << ": " << found;
+        EXPECT_EQ(found.find('\n'), found.npos);
+    }
+    EXPECT_GT(refused, test::mutation_count() / 20);
 }
 
 } // namespace

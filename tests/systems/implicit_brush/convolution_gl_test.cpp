@@ -244,6 +244,24 @@ TEST_P(ConvolutionTest, NothingIsPaintedWhereNoStampReaches) {
     }
 }
 
+/// Stamps that reach over the picture's borders.
+TEST_P(ConvolutionTest, BordersCutStamps) {
+    RenderContext render(context());
+    ConvolutionRun run(render, 40, 30);
+    run.job.radius = run.job.largest_radius = 12.0f;
+    run.job.largest_shift = 4.0f;
+    StampImage stamps(40, 30);
+    for (const auto& [x, y] : {std::pair{0, 15}, {39, 3}, {20, 0}, {2, 29}, {37, 28}})
+        stamps.at(x, y) = {.x = 1.5f, .y = -3.25f, .radius = 12.0f, .red = 0.25f, .weight = 0.5f};
+    const StampImage stored = run.upload(stamps);
+    const std::vector<double> expected = convolution_reference(stored, run.job);
+    for (const BrushMethod method : methods) {
+        run.job.method = method;
+        run.run();
+        EXPECT_LT(most_difference(run.read(), expected), 0.02 / 255.0) << name_of(method);
+    }
+}
+
 TEST_P(ConvolutionTest, WhatIsNoNumberStampsNothing) {
     RenderContext render(context());
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
@@ -372,6 +390,38 @@ TEST_P(ConvolutionTest, HalfFloatsAreNotEnoughForSums) {
     const double error = most_difference(run.read(), expected);
     EXPECT_GT(error, 0.3 / 255.0);
     EXPECT_LT(error, 0.02);
+}
+
+/// The choice is the cheapest by the prices, of what the GPU counted; sparse stamps are not gathered.
+TEST_P(ConvolutionTest, AutomaticIsTheCheapestMethod) {
+    RenderContext render(context());
+    for (const double radius : {1.0, 12.0})
+        for (const bool one_color : {false, true}) {
+            ConvolutionRun run(render, 128, 96);
+            run.job.radius = run.job.largest_radius = static_cast<float>(radius);
+            if (one_color) run.job.same_color = glm::vec3(0.0f);
+            run.upload(test::crossed_ring(128, 96, 1.0, radius));
+            run.run();
+            const ConvolutionCounts counts = run.convolver.counts();
+            const ConvolutionPrices prices = context_cost(render).prices(run.job, 128, 96);
+            for (const BrushMethod method : methods)
+                EXPECT_LE(prices.of(counts.method, counts), 1.001 * prices.of(method, counts)) << name_of(method);
+            if (radius > 10.0) {
+                EXPECT_NE(counts.method, BrushMethod::gather);
+            }
+        }
+}
+
+TEST_P(ConvolutionTest, CostsCanBeMeasured) {
+    RenderContext render(context());
+    const ConvolutionCost cost = measured_cost(render), given;
+    for (const auto& [made, known] : {std::pair{cost.splat_pixel, given.splat_pixel},
+                                      {cost.edge, given.edge},
+                                      {cost.gather_look, given.gather_look},
+                                      {cost.marked_look, given.marked_look}}) {
+        EXPECT_GT(made, 0.001 * known);
+        EXPECT_LT(made, 1000.0 * known);
+    }
 }
 
 HACHURE_INSTANTIATE_GL_TESTS(ConvolutionTest);
