@@ -17,7 +17,7 @@ constexpr std::array<std::uint8_t, 256> make_digits() {
     return digits;
 }
 
-constexpr auto digits = make_digits();
+constexpr auto base64_digits = make_digits();
 
 std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
     for (int padding = 0; padding < 2 && !text.empty() && text.back() == '='; ++padding) text.remove_suffix(1);
@@ -28,7 +28,7 @@ std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
     std::uint32_t bits = 0;
     int held = 0;
     for (const char c : text) {
-        const std::uint8_t digit = digits[static_cast<unsigned char>(c)];
+        const std::uint8_t digit = base64_digits[static_cast<unsigned char>(c)];
         if (digit == not_base64) return std::nullopt;
         bits = bits << 6 | digit;
         held += 6;

@@ -154,7 +154,7 @@ private:
 };
 
 /// One request for each key, for all that want it.
-std::vector<FeatureRequest> united(std::span<const FeatureRequest> requests) {
+std::vector<FeatureRequest> one_per_key(std::span<const FeatureRequest> requests) {
     std::vector<FeatureRequest> all;
     for (const FeatureRequest& request : requests) {
         const auto same = std::ranges::find(all, request.key, &FeatureRequest::key);
@@ -193,7 +193,7 @@ std::vector<FeatureTextures> FeaturePasses::declare(World& world, std::span<cons
                                                     const gpu::Rect& rect) {
     if (requests.empty() || rect.width <= 0 || rect.height <= 0) return {};
     const FeatureImage quality = feature_image(world);
-    const std::vector<FeatureRequest> wanted = united(requests);
+    const std::vector<FeatureRequest> wanted = one_per_key(requests);
     int margin = 0;
     for (const FeatureRequest& request : wanted)
         margin = std::max(margin, profile_margin(request.key) + feature_margin(request.key));
