@@ -60,7 +60,7 @@ Findings check(const std::filesystem::path& file) {
     }
 }
 
-void print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void print_text(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 } // namespace
 
@@ -81,10 +81,10 @@ int run_validate(const ValidateOptions& options) {
         const Findings found = check(file);
         faults += found.faults.size();
         warnings += found.warnings.size();
-        for (const std::string& fault : found.faults) print("fault: " + fault + "\n");
-        for (const std::string& warning : found.warnings) print("warning: " + warning + "\n");
+        for (const std::string& fault : found.faults) print_text("fault: " + fault + "\n");
+        for (const std::string& warning : found.warnings) print_text("warning: " + warning + "\n");
     }
-    print(fmt::format("{} {}, {} {}, {} {}\n", options.files.size(), options.files.size() == 1 ? "file" : "files",
+    print_text(fmt::format("{} {}, {} {}, {} {}\n", options.files.size(), options.files.size() == 1 ? "file" : "files",
                       faults, faults == 1 ? "fault" : "faults", warnings, warnings == 1 ? "warning" : "warnings"));
     return faults == 0 ? 0 : 1;
 }

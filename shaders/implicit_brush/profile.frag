@@ -131,7 +131,8 @@ Profile look_around(float width) {
         float way = clear_way(direction, width, contour_singularity);
         Profile p = follow(Trajectory(vec2(0.0), direction, 0.0), width, way);
         least = min(least, way);
-        if (is_line(p, width) && dot(p.offset, p.offset) < dot(nearest.offset, nearest.offset)) nearest = p;
+        bool sharp = p.curvature > 8.0 * level * p.height; // a chord of a ring is not
+        if (is_line(p, width) && sharp && dot(p.offset, p.offset) < dot(nearest.offset, nearest.offset)) nearest = p;
     }
     if (least < width) return nothing;
     return nearest;

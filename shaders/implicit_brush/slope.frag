@@ -25,9 +25,8 @@ const float steepest = 4.0;
 const float tolerance = 0.5;
 
 struct Sight {
-    bool there;
-    float relief; // towards the eye, px; in perspective its logarithmic measure
-    vec2 slope;   // of the relief along the picture's axes, unbounded
+    float metres; // from the eye's plane; 0 where there is nothing
+    vec2 slope;   // of the relief along the picture's axes, px per px, unbounded
 };
 
 // From the eye through a pixel's centre: to depth 1.
@@ -62,22 +61,22 @@ vec3 normal_at(ivec2 pixel) {
     return square > 0.25 && square < 4.0 ? mat3(view_from_world) * (n * inversesqrt(square)) : vec3(0.0);
 }
 
-// Relief is such that a plane's grows evenly from pixel to pixel, or nearly: depth in footprints of a pixel, of which
-// there are more the nearer it is.
-float relief_of(float metres) { return -(eye.w > 0.0 ? log(metres) : metres) / pixel_size; }
-
-// What the relief gains over one pixel in a direction, on the plane with this slope. In perspective 1 / depth is what
-// is linear; and a plane that ends before the next pixel explains everything.
-float gain_along(float slope) {
-    return eye.w > 0.0 ? log(max(1.0 + pixel_size * slope, 1e-6)) / pixel_size : slope;
+// What the relief gains between two depths, in px. In perspective a measure in which planes are exact without
+// logarithms: 1 / depth is what is linear on them.
+float gain_between(float from, float to) {
+    float gain = (from - to) / pixel_size;
+    return eye.w > 0.0 ? gain / (0.5 * (from + to)) : gain;
 }
 
-Sight sight_at(ivec2 pixel) {
+// The same over one pixel along a direction, on the plane with this slope; one that ends before explains everything.
+float gain_along(float slope) {
+    return eye.w > 0.0 ? slope / max(1.0 + 0.5 * pixel_size * slope, 1e-3) : slope;
+}
+
+Sight sight_at(ivec2 pixel, float metres) {
     Sight s;
-    float metres = metres_at(pixel);
     vec3 n = metres > 0.0 ? normal_at(pixel) : vec3(0.0);
-    s.there = n != vec3(0.0);
-    s.relief = s.there ? relief_of(metres) : 0.0;
+    s.metres = n != vec3(0.0) ? metres : 0.0;
     s.slope = n.xy / min(dot(n, ray_through(vec2(pixel) + 0.5)), -1e-4);
     return s;
 }
@@ -88,32 +87,24 @@ float share_of(float jump) { return jump * jump / (jump * jump + half_break * ha
 // on either side explain is no break, be they those of normals, which know of the bend between two pixels, or of the
 // depths before and behind, which know of facets: all of a smooth surface lies between the least and the greatest of
 // them (mean value theorem).
-float break_between(Sight here, Sight there, float slope_here, float slope_there, float before, float after) {
-    if (!here.there || !there.there) return here.there == there.there ? 0.0 : here.there ? -1.0 : 1.0;
-    float gain = there.relief - here.relief;
-    float by_here = gain_along(slope_here), by_there = -gain_along(-slope_there);
+float break_between(Sight here, Sight there, int axis, float before, float after) {
+    if (here.metres <= 0.0 || there.metres <= 0.0) return sign(there.metres - here.metres);
+    float gain = gain_between(here.metres, there.metres);
+    float by_here = gain_along(here.slope[axis]), by_there = -gain_along(-there.slope[axis]);
+    if (before > 0.0) before = gain_between(before, here.metres); else before = by_here;
+    if (after > 0.0) after = gain_between(there.metres, after); else after = by_there;
     float least = min(min(by_here, by_there), min(before, after));
     float most = max(max(by_here, by_there), max(before, after));
     float over = max(gain - most, 0.0) + min(gain - least, 0.0);
-    float jump = max(abs(over) - tolerance, 0.0);
-    return sign(over) * share_of(jump);
-}
-
-// What the relief gains from one pixel to the next, by depth alone; where one is missing, by the slope.
-float gain_between(ivec2 from, ivec2 to, float by_slope) {
-    float a = metres_at(from), b = metres_at(to);
-    return a > 0.0 && b > 0.0 ? relief_of(b) - relief_of(a) : by_slope;
+    return sign(over) * share_of(max(abs(over) - tolerance, 0.0));
 }
 
 // The breaks between a pixel and its neighbours before (x) and behind (y) along an axis, both along the axis' direction.
-vec2 breaks_along(Sight here, ivec2 pixel, ivec2 axis, int i) {
-    Sight left = sight_at(pixel - axis), right = sight_at(pixel + axis);
-    float to_left = gain_between(pixel - axis, pixel, gain_along(here.slope[i]));
-    float to_right = gain_between(pixel, pixel + axis, gain_along(here.slope[i]));
-    float before = gain_between(pixel - 2 * axis, pixel - axis, gain_along(left.slope[i]));
-    float after = gain_between(pixel + axis, pixel + 2 * axis, gain_along(right.slope[i]));
-    return vec2(break_between(left, here, left.slope[i], here.slope[i], before, to_right),
-                break_between(here, right, here.slope[i], right.slope[i], to_left, after));
+vec2 breaks_along(Sight here, ivec2 pixel, int i) {
+    ivec2 axis = i == 0 ? ivec2(1, 0) : ivec2(0, 1);
+    float before = metres_at(pixel - 2 * axis), after = metres_at(pixel + 2 * axis);
+    Sight left = sight_at(pixel - axis, metres_at(pixel - axis)), right = sight_at(pixel + axis, metres_at(pixel + axis));
+    return vec2(break_between(left, here, i, before, right.metres), break_between(here, right, i, left.metres, after));
 }
 
 // The slope that features are found in: in the frame that is turned towards the pixel's own ray, so that a sphere off
@@ -130,13 +121,14 @@ vec2 bounded_slope(vec3 n, vec3 ray) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    Sight here = sight_at(pixel);
-    vec2 breaks_x = breaks_along(here, pixel, ivec2(1, 0), 0), breaks_y = breaks_along(here, pixel, ivec2(0, 1), 1);
+    Sight here = sight_at(pixel, metres_at(pixel));
+    vec2 breaks_x = breaks_along(here, pixel, 0), breaks_y = breaks_along(here, pixel, 1);
 #ifdef BREAKS
     out_slope = vec4(breaks_x.x + breaks_x.y, breaks_y.x + breaks_y.y, 0.0, 1.0);
 #else
     vec2 most = max(abs(breaks_x), abs(breaks_y));
-    vec2 slope = here.there ? bounded_slope(normal_at(pixel), ray_through(gl_FragCoord.xy)) : vec2(0.0);
-    out_slope = vec4(slope, max(most.x, most.y), here.there ? 1.0 : 0.0);
+    bool there = here.metres > 0.0;
+    vec2 slope = there ? bounded_slope(normal_at(pixel), ray_through(gl_FragCoord.xy)) : vec2(0.0);
+    out_slope = vec4(slope, max(most.x, most.y), there ? 1.0 : 0.0);
 #endif
 }

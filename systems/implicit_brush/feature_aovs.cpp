@@ -84,7 +84,7 @@ void declare_aov(World& world, const FeatureAov& aov, gpu::TextureHandle texture
             target.clear_color(0, aov.nothing);
             gpu::ProgramSource source = field_program("implicit_brush/feature_aov.frag");
             source.defines = {{"AOV", aov.code}, {"AOV_TYPE", two ? "vec2" : "float"}};
-            draw_field(render, render.shaders->program(source), rect, pass.texture(data.aov),
+            draw_field(render, render.shaders->program(source), {rect}, pass.texture(data.aov),
                        {pass.texture(data.texture)});
         });
 }

@@ -23,7 +23,7 @@ int reach_of(const FeatureDataJob& job) {
 
 /// The smoothed tensor of contours.
 void run_contours(RenderContext& render, const FeatureDataJob& job) {
-    draw_field(render, render.shaders->program(field_program("implicit_brush/contour_tensor.frag")), job.rect,
+    draw_field(render, render.shaders->program(field_program("implicit_brush/contour_tensor.frag")), {job.rect},
                job.scratch, {job.slopes});
     WidenJob{reach_of(job), job.scratch, job.scratch_2, job.to, job.rect}.run(render);
 }
@@ -42,8 +42,9 @@ void FeatureDataJob::run(RenderContext& render) const {
     gpu::Program& program = render.shaders->program(source);
     program.set("window", window.length);
     if (contours) program.set("peak", contour_peak(reach_of(*this)));
-    draw_field(render, program, rect, scratch, {contours ? scratch_2 : slopes, 0, window.world_depth});
-    draw_field(render, render.shaders->program(field_program("implicit_brush/singularity.frag")), rect, to, {scratch});
+    draw_field(render, program, {rect, depth_buffer}, scratch, {contours ? scratch_2 : slopes, 0, window.world_depth});
+    draw_field(render, render.shaders->program(field_program("implicit_brush/singularity.frag")), {rect, depth_buffer},
+               to, {scratch});
 }
 
 } // namespace hachure

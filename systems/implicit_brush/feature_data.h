@@ -15,11 +15,12 @@ struct FeatureDataJob {
     BrushFeature feature = BrushFeature::ridges;
     bool luminance = false; ///< slopes are those of tones
     FeatureWindow window;
-    std::uint32_t slopes = 0;    ///< of the surface or of tones; for contours breaks
-    std::uint32_t scratch = 0;   ///< of the shape of `to`
-    std::uint32_t scratch_2 = 0; ///< another, for contours
-    std::uint32_t to = 0;        ///< FeatureTextures::data
-    gpu::Rect rect;              ///< the part of `slopes` that holds slopes, and that is made
+    std::uint32_t slopes = 0;       ///< of the surface or of tones; for contours breaks
+    std::uint32_t scratch = 0;      ///< of the shape of `to`
+    std::uint32_t scratch_2 = 0;    ///< another, for contours
+    std::uint32_t to = 0;           ///< FeatureTextures::data
+    gpu::Rect rect;                 ///< the part of `slopes` that holds slopes, and that is made
+    std::uint32_t depth_buffer = 0; ///< reversed: all slopes are where it is not empty; 0: anywhere, as contours
 
     void run(RenderContext& render) const;
 };

@@ -83,11 +83,12 @@ private:
         const FeatureKey key = request_.key;
         const std::string name = fmt::format("feature_data_{}", number_);
         const bool luminance = of_luminance(world_, key), metres = key.world_window;
+        const bool masked = key.feature != BrushFeature::contours && !luminance && is_drawn_alone(world_);
         const DataPass& made = render_.graph.add_pass<DataPass>(
             name,
             [&](gpu::PassBuilder& pass, DataPass& data) {
                 data.slopes = pass.read(slopes);
-                if (metres) data.depth_buffer = pass.read(render_.graph.find("depth_buffer"));
+                if (metres || masked) data.depth_buffer = pass.read(render_.graph.find("depth_buffer"));
                 data.scratch = pass.create(name + "_scratch", desc());
                 if (key.feature == BrushFeature::contours) data.scratch_2 = pass.create(name + "_scratch_2", desc());
                 data.data = pass.create(name, desc());
@@ -95,17 +96,19 @@ private:
                 pass.depends_on(luminance);
                 if (metres) pass.depends_on(world_.resource<View>().key());
             },
-            [&world = world_, &render = render_, key, luminance, rect](const DataPass& data, gpu::PassContext& pass) {
+            [&world = world_, &render = render_, key, luminance, masked, rect](const DataPass& data,
+                                                                               gpu::PassContext& pass) {
                 const auto id = [&](TextureHandle handle) { return handle ? pass.texture(handle) : 0; };
                 if (key.world_window) render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
                 FeatureDataJob{.feature = key.feature,
                                .luminance = luminance,
-                               .window = {key.window, id(data.depth_buffer)},
+                               .window = {key.window, key.world_window ? id(data.depth_buffer) : 0},
                                .slopes = pass.texture(data.slopes),
                                .scratch = pass.texture(data.scratch),
                                .scratch_2 = id(data.scratch_2),
                                .to = pass.texture(data.data),
-                               .rect = rect}
+                               .rect = rect,
+                               .depth_buffer = masked ? pass.texture(data.depth_buffer) : 0}
                     .run(render);
             });
         return made.data;

@@ -8,7 +8,7 @@ FeatureImage resolved(const FeatureImage& wanted) {
     case FeatureQuality::custom:
         break;
     case FeatureQuality::standard:
-        made = {.taps = 4, .fits = 3};
+        made = {.storage = FeatureStorage::rgba32f, .taps = 4, .fits = 3};
         break;
     case FeatureQuality::fast:
         made = {.taps = 3, .fits = 2};

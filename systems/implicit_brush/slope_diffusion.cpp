@@ -26,7 +26,7 @@ void SlopeDiffusionJob::run(RenderContext& render) const {
         const std::array targets{scratch, to};
         for (std::size_t i = 0; i < axes.size(); ++i) {
             program.set("axis", axes[i]);
-            draw_field(render, program, rect, targets[i], {i == 1 ? scratch : round == 0 ? from : to});
+            draw_field(render, program, {rect, depth_buffer}, targets[i], {i == 1 ? scratch : round == 0 ? from : to});
         }
     }
 }
@@ -45,7 +45,7 @@ void WidenJob::run(RenderContext& render) const {
     const std::array targets{scratch, to};
     for (std::size_t i = 0; i < axes.size(); ++i) {
         program.set("axis", axes[i]);
-        draw_field(render, program, rect, targets[i], {i == 0 ? from : scratch});
+        draw_field(render, program, {rect}, targets[i], {i == 0 ? from : scratch});
     }
 }
 

@@ -15,12 +15,13 @@ struct RenderContext;
 /// Several steps are done at once, first along one axis, then along the other: what insulates lets nothing through
 /// either way, and without insulators both orders are the same.
 struct SlopeDiffusionJob {
-    int steps = 1;             ///< >= 1
-    int steps_at_once = 5;     ///< [1, 8]: 1 for the order of the plain scheme
-    std::uint32_t from = 0;    ///< slopes of a surface or of tones
-    std::uint32_t to = 0;      ///< another texture of its shape
-    std::uint32_t scratch = 0; ///< a third
-    gpu::Rect rect;            ///< the part of `from` that holds slopes, and that is made
+    int steps = 1;                  ///< >= 1
+    int steps_at_once = 1;          ///< [1, 8]: more are fewer passes of more work each
+    std::uint32_t from = 0;         ///< slopes of a surface or of tones
+    std::uint32_t to = 0;           ///< another texture of its shape
+    std::uint32_t scratch = 0;      ///< a third
+    gpu::Rect rect;                 ///< the part of `from` that holds slopes, and that is made
+    std::uint32_t depth_buffer = 0; ///< reversed: all slopes are where it is not empty; 0: anywhere
 
     void run(RenderContext& render) const;
 };

@@ -10,7 +10,7 @@ void run_tone_slope(RenderContext& render, const SlopeJob& job) {
     gpu::ProgramSource source = field_program("implicit_brush/tone_slope.frag");
     if (job.insulation) source.defines.push_back({"INSULATED", ""});
     gpu::Program& program = render.shaders->program(source);
-    draw_field(render, program, job.rect, job.to, {job.tones, job.insulation});
+    draw_field(render, program, {job.rect}, job.to, {job.tones, job.insulation});
 }
 
 } // namespace
@@ -23,7 +23,10 @@ void SlopeJob::run(RenderContext& render) const {
     if (picture_depth && picture_normals) source.defines.push_back({"PICTURE", ""});
     gpu::Program& program = render.shaders->program(source);
     program.set("half_break", half_break);
-    draw_field(render, program, rect, to, {depth_buffer, normals, picture_depth, picture_normals});
+    // Breaks are beside a surface, too, and a picture's are where the depth buffer is empty.
+    const bool masked = kind == SlopeKind::surface && !picture_depth;
+    draw_field(render, program, {rect, masked ? depth_buffer : 0}, to,
+               {depth_buffer, normals, picture_depth, picture_normals});
 }
 
 } // namespace hachure

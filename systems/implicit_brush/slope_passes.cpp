@@ -29,7 +29,7 @@ struct ToneSlopePass {
 };
 
 struct DiffusionPass {
-    TextureHandle from, scratch, to;
+    TextureHandle from, depth_buffer, scratch, to;
 };
 
 /// Declares the reading of a texture that may not be there.
@@ -68,6 +68,11 @@ bool has_pictures(const World& world) {
 bool has_relief(const World& world) {
     const gpu::FrameGraph& graph = world.resource<RenderContext>().graph;
     return !world.resource<DrawList>().items.empty() || (graph.find("picture_depth") && graph.find("picture_normal"));
+}
+
+bool is_drawn_alone(const World& world) {
+    const gpu::FrameGraph& graph = world.resource<RenderContext>().graph;
+    return !(graph.find("picture_depth") && graph.find("picture_normal"));
 }
 
 TextureHandle SlopePasses::made(SlopeKind kind, int steps, float half_break) const {
@@ -148,7 +153,7 @@ TextureHandle SlopePasses::declare_tones() {
             gpu::Program& program = render.shaders->program(source);
             program.set("pictures", glm::ivec4(pictures.x, pictures.y, pictures.x + pictures.width - 1,
                                                pictures.y + pictures.height - 1));
-            draw_field(render, program, rect, pass.texture(data.tones),
+            draw_field(render, program, {rect}, pass.texture(data.tones),
                        {pass.texture(data.color), pass.texture(data.depth_buffer), id_of(pass, data.picture_tone)});
         });
     return made.tones;
@@ -182,6 +187,7 @@ TextureHandle SlopePasses::declare_tone_slopes() {
 TextureHandle SlopePasses::declare_diffusion(SlopeKind kind, int steps) {
     RenderContext& render = world_.resource_mutable<RenderContext>();
     const TextureHandle from = slopes(kind, 0);
+    const bool masked = kind == SlopeKind::surface && is_drawn_alone(world_);
     const std::string name =
         fmt::format("brush_{}_{}", kind == SlopeKind::luminance ? "tone_diffusion" : "diffusion", steps);
     const gpu::Rect rect = rect_;
@@ -189,6 +195,7 @@ TextureHandle SlopePasses::declare_diffusion(SlopeKind kind, int steps) {
         name,
         [&](gpu::PassBuilder& pass, DiffusionPass& data) {
             data.from = pass.read(from);
+            if (masked) data.depth_buffer = pass.read(render.graph.find("depth_buffer"));
             const gpu::TextureDesc desc = slope_desc(world_, quality_);
             data.scratch = pass.create(name + "_scratch", desc);
             data.to = pass.create(name, desc);
@@ -199,7 +206,8 @@ TextureHandle SlopePasses::declare_diffusion(SlopeKind kind, int steps) {
                               .from = pass.texture(data.from),
                               .to = pass.texture(data.to),
                               .scratch = pass.texture(data.scratch),
-                              .rect = rect}
+                              .rect = rect,
+                              .depth_buffer = id_of(pass, data.depth_buffer)}
                 .run(render);
         });
     return made.to;

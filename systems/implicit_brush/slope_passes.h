@@ -14,6 +14,9 @@ namespace hachure {
 /// normals of another renderer, is looked at for its luminance.
 [[nodiscard]] bool has_relief(const World& world);
 
+/// Whether all slopes of surfaces are where the depth buffer is not empty: no picture brings its own.
+[[nodiscard]] bool is_drawn_alone(const World& world);
+
 /// Declares the passes that make slopes, each once in a frame however many features want them. Lives for one frame's
 /// declarations.
 class SlopePasses {

@@ -3,6 +3,7 @@
 #include <hachure/runtime/error.h>
 #include <hachure/tests/benchmarks/bench_report.h>
 #include <hachure/tests/benchmarks/implicit_brush_convolution.h>
+#include <hachure/tests/benchmarks/implicit_brush_features.h>
 
 #include <cstdio>
 #include <fstream>
@@ -27,9 +28,10 @@ int run(int argc, char** argv) {
         return 0;
     }
     const bench::Arguments arguments =
-        bench::parse_arguments(argc, argv, "Cost of implicit brushes, for bunny at 1024x768.");
+        bench::parse_arguments(argc, argv, "Cost of implicit brushes, for bunny in half of a view of 1024x768.");
     bench::Report report(arguments);
     const std::unique_ptr<gpu::Context> context = gpu::make_context();
+    bench::report_features(report, *context, arguments.model, arguments.quick);
     bench::report_convolution(report, *context, arguments.model, arguments.quick);
     return report.finish();
 }

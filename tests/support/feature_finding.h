@@ -59,12 +59,12 @@ struct SlopeImage {
 /// How features are found.
 struct FeatureSettings {
     BrushFeature feature = BrushFeature::ridges;
-    int diffusion = 0, steps_at_once = 5;
+    int diffusion = 0, steps_at_once = 1;
     float window = 6.0f;
     int taps = 4, fits = 2;
     float most_singular = FeatureProfileJob{}.most_singular;
     float least_height = 0.0f, reach = 1e4f;
-    gpu::Format storage = gpu::Format::rgba16f;
+    gpu::Format storage = gpu::Format::rgba32f;
 };
 
 /// Finds features in given slopes or tones with the shaders of implicit brushes, without a scene.

@@ -38,7 +38,7 @@ std::vector<TrueCircle> circles(const std::function<double(double)>& height, dou
 
 RippleScore score(const std::vector<test::PixelProfile>& profiles, const std::vector<TrueCircle>& truth) {
     RippleScore result(middle, 2.2 * scale, 20.0 * scale, 2.0, truth);
-    result.add(profiles, ripple_size, 0.3 * truth.back().height); // what a brush for the faintest line would ask for
+    result.add(profiles, ripple_size, 0.5 * truth.back().height); // what a brush for the faintest line would ask for
     return result;
 }
 
@@ -144,7 +144,7 @@ TEST_P(RippleTest, AsAHeightField) {
 /// The ripple itself as a relief, of triangles, through the whole of the passes: ridges where -z'' is highest.
 TEST_P(RippleTest, AsAMesh) {
     test::FeatureScene scene(context(), {ripple_size, ripple_size});
-    scene.scene().add(test::ripple_mesh(256, 24.0, 0.4, ripple::h, [](double r) { return ripple::derivative(1, r); }),
+    scene.scene().add(test::ripple_mesh(448, 24.0, 0.4, ripple::h, [](double r) { return ripple::derivative(1, r); }),
                       Transform{});
     // The middle is where the other tests have it.
     const auto offset = glm::vec2(glm::dvec2(0.5 * ripple_size) - middle) / float(scale);
