@@ -4,6 +4,7 @@
 #include <hachure/tests/benchmarks/bench_report.h>
 #include <hachure/tests/benchmarks/implicit_brush_convolution.h>
 #include <hachure/tests/benchmarks/implicit_brush_features.h>
+#include <hachure/tests/benchmarks/implicit_brush_noise.h>
 
 #include <cstdio>
 #include <fstream>
@@ -31,8 +32,9 @@ int run(int argc, char** argv) {
         bench::parse_arguments(argc, argv, "Cost of implicit brushes, for bunny in half of a view of 1024x768.");
     bench::Report report(arguments);
     const std::unique_ptr<gpu::Context> context = gpu::make_context();
-    bench::report_features(report, *context, arguments.model, arguments.quick);
+    const double pass = bench::report_features(report, *context, arguments.model, arguments.quick);
     bench::report_convolution(report, *context, arguments.model, arguments.quick);
+    bench::add_noise_rows(report, *context, pass, arguments.quick);
     return report.finish();
 }
 

@@ -86,7 +86,7 @@ double timed(const auto& work) {
 
 } // namespace
 
-void report_features(Report& report, gpu::Context& context, const std::filesystem::path& model, bool quick) {
+double report_features(Report& report, gpu::Context& context, const std::filesystem::path& model, bool quick) {
     const Canvas canvas = quick ? Canvas{64, 48} : Canvas{1024, 768};
     test::FeatureScene scene(context, canvas);
     aim(scene, spawn(scene.world(), model, quick));
@@ -149,6 +149,7 @@ void report_features(Report& report, gpu::Context& context, const std::filesyste
     report.add_limited("features: all of that / pass of 9 fetches",
                        (median(slope) + median(diffusion) + median(extraction) + median(profiles)) / pass, "ratio",
                        14.0);
+    return pass;
 }
 
 } // namespace hachure::bench
