@@ -20,7 +20,7 @@ namespace {
 
 using namespace test;
 
-constexpr std::size_t count = 20'000;
+constexpr std::size_t entity_count = 20'000;
 
 /// One of two worlds that were built by the same calls.
 struct Twin {
@@ -28,16 +28,16 @@ struct Twin {
     std::vector<Entity> all;
 
     Twin() {
-        world.create_each<Position, Speed>(count, [&](std::size_t i, Entity entity, Position& position, Speed& speed) {
+        world.create_each<Position, Speed>(entity_count, [&](std::size_t i, Entity entity, Position& position, Speed& speed) {
             position = {std::sin(double(i)), std::cos(double(i))};
             speed.value = 1.0 / double(i + 1);
             all.push_back(entity);
         });
-        for (std::size_t i = 0; i < count; i += 3) world.add(all[i], Label{"third"});
-        for (std::size_t i = 0; i < count; i += 4) world.add(all[i], Heat{double(i)});
-        for (std::size_t i = 0; i < count; i += 7) world.remove<Speed>(all[i]);
+        for (std::size_t i = 0; i < entity_count; i += 3) world.add(all[i], Label{"third"});
+        for (std::size_t i = 0; i < entity_count; i += 4) world.add(all[i], Heat{double(i)});
+        for (std::size_t i = 0; i < entity_count; i += 7) world.remove<Speed>(all[i]);
         world.advance_tick();
-        for (std::size_t i = 0; i < count; i += 11) world.get_mutable<Position>(all[i]);
+        for (std::size_t i = 0; i < entity_count; i += 11) world.get_mutable<Position>(all[i]);
         world.advance_tick();
     }
 };
@@ -124,7 +124,7 @@ TEST_P(QueryParallelTest, SparseComponentsAndFilters) {
 }
 
 TEST_P(QueryParallelTest, EachMatchOnce) {
-    std::vector<std::atomic<int>> visits(count);
+    std::vector<std::atomic<int>> visits(entity_count);
     const auto expect_once = [&](std::size_t of) {
         std::size_t visited = 0;
         for (auto& visit : visits) {
@@ -136,21 +136,21 @@ TEST_P(QueryParallelTest, EachMatchOnce) {
     const auto visit = [&](Entity entity, auto&&...) { ++visits[entity.index]; };
     const auto plain = many.world.query<const Position, With<Speed>>();
     plain.parallel_each(visit);
-    expect_once(plain.count());
+    expect_once(plain.entity_count());
     const auto by_row = many.world.query<const Position, With<Heat>>();
     by_row.parallel_each(visit);
-    expect_once(by_row.count());
+    expect_once(by_row.entity_count());
     many.world.query<const Position>().parallel_each_chunk([&](std::span<const Entity> entities, auto&&...) {
         for (const Entity entity : entities) visit(entity);
     });
-    expect_once(count);
+    expect_once(entity_count);
     many.world.query<const Position, const Children>().parallel_each(visit);
     expect_once(0);
 }
 
 TEST_P(QueryParallelTest, AnExceptionComesOutAndUnlocks) {
     const auto thrower = [](Entity entity, auto&&...) {
-        if (entity.index == count / 2) throw std::runtime_error("left");
+        if (entity.index == entity_count / 2) throw std::runtime_error("left");
     };
     EXPECT_THROW(many.world.query<const Position>().parallel_each(thrower), std::runtime_error);
     EXPECT_THROW((many.world.query<const Position, Optional<const Heat>>().parallel_each(thrower)), std::runtime_error);

@@ -12,11 +12,11 @@ namespace {
 
 using detail::ColumnTicks;
 
-constexpr std::uint32_t capacity = 40;
+constexpr std::uint32_t row_capacity = 40;
 
 TEST(ColumnTicksTest, OneTickForAll) {
     ColumnTicks ticks;
-    ticks.place_many(0, 10, capacity, 5);
+    ticks.place_many(0, 10, row_capacity, 5);
     for (std::uint32_t row = 0; row < 10; ++row) {
         EXPECT_EQ(ticks.changed(row), 5u);
         EXPECT_EQ(ticks.added(row), 5u);
@@ -30,24 +30,24 @@ TEST(ColumnTicksTest, OneTickForAll) {
 
 TEST(ColumnTicksTest, MarksOneRowOnce) {
     ColumnTicks ticks;
-    ticks.place_many(0, 3, capacity, 1);
-    EXPECT_FALSE(ticks.mark(1, capacity, 1)) << "placed in this tick already";
-    EXPECT_TRUE(ticks.mark(1, capacity, 2));
-    EXPECT_FALSE(ticks.mark(1, capacity, 2));
+    ticks.place_many(0, 3, row_capacity, 1);
+    EXPECT_FALSE(ticks.mark(1, row_capacity, 1)) << "placed in this tick already";
+    EXPECT_TRUE(ticks.mark(1, row_capacity, 2));
+    EXPECT_FALSE(ticks.mark(1, row_capacity, 2));
     EXPECT_EQ(ticks.changed(0), 1u);
     EXPECT_EQ(ticks.changed(1), 2u);
     ticks.mark_all(3);
-    EXPECT_FALSE(ticks.mark(1, capacity, 3));
+    EXPECT_FALSE(ticks.mark(1, row_capacity, 3));
     EXPECT_EQ(ticks.changed(2), 3u);
 }
 
 TEST(ColumnTicksTest, ARowOfAnOlderTickComesIn) {
     // As when an entity moves in from another table.
     ColumnTicks ticks;
-    ticks.place_many(0, 3, capacity, 4);
-    ticks.mark(1, capacity, 6);
+    ticks.place_many(0, 3, row_capacity, 4);
+    ticks.mark(1, row_capacity, 6);
     ticks.mark_all(8);
-    ticks.place(3, 3, capacity, 2, 5);
+    ticks.place(3, 3, row_capacity, 2, 5);
     EXPECT_EQ(ticks.changed(0), 8u);
     EXPECT_EQ(ticks.changed(1), 8u);
     EXPECT_EQ(ticks.changed(3), 5u);
@@ -58,9 +58,9 @@ TEST(ColumnTicksTest, ARowOfAnOlderTickComesIn) {
 
 TEST(ColumnTicksTest, TheFirstRowForgetsWhatWasBefore) {
     ColumnTicks ticks;
-    ticks.place_many(0, 3, capacity, 4);
-    ticks.mark(2, capacity, 9);
-    ticks.place(0, 0, capacity, 1, 2);
+    ticks.place_many(0, 3, row_capacity, 4);
+    ticks.mark(2, row_capacity, 9);
+    ticks.place(0, 0, row_capacity, 1, 2);
     EXPECT_EQ(ticks.changed(0), 2u);
     EXPECT_EQ(ticks.added(0), 1u);
     EXPECT_EQ(ticks.latest(), 2u);
@@ -68,19 +68,19 @@ TEST(ColumnTicksTest, TheFirstRowForgetsWhatWasBefore) {
 
 TEST(ColumnTicksTest, FindsTheNext) {
     ColumnTicks ticks;
-    ticks.place_many(0, 10, capacity, 1);
+    ticks.place_many(0, 10, row_capacity, 1);
     EXPECT_EQ(ticks.next_changed(0, 10, 0), 0u);
     EXPECT_EQ(ticks.next_added(4, 10, 0), 4u);
     EXPECT_EQ(ticks.next_changed(0, 10, 1), 10u);
     EXPECT_EQ(ticks.next_added(0, 10, 1), 10u);
-    ticks.mark(3, capacity, 2);
-    ticks.mark(8, capacity, 4);
+    ticks.mark(3, row_capacity, 2);
+    ticks.mark(8, row_capacity, 4);
     EXPECT_EQ(ticks.next_changed(0, 10, 1), 3u);
     EXPECT_EQ(ticks.next_changed(4, 10, 1), 8u);
     EXPECT_EQ(ticks.next_changed(0, 10, 2), 8u);
     EXPECT_EQ(ticks.next_changed(9, 10, 1), 10u);
     EXPECT_EQ(ticks.next_changed(0, 8, 2), 8u) << "rows beyond are none";
-    ticks.place(10, 10, capacity, 5, 5);
+    ticks.place(10, 10, row_capacity, 5, 5);
     EXPECT_EQ(ticks.next_added(0, 11, 1), 10u);
 }
 
@@ -117,31 +117,31 @@ protected:
     std::uint32_t pick(std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); }
 
     void place() {
-        if (rows() == capacity) return;
+        if (rows() == row_capacity) return;
         const Tick changed = now - pick(static_cast<std::uint32_t>(std::min<Tick>(now, 4)));
         const Tick added = changed - pick(static_cast<std::uint32_t>(std::min<Tick>(changed, 4)));
-        ticks.place(rows(), rows(), capacity, added, changed);
+        ticks.place(rows(), rows(), row_capacity, added, changed);
         plain.emplace_back(added, changed);
     }
     void place_many() {
-        const std::uint32_t count = std::min(pick(8), capacity - rows());
+        const std::uint32_t count = std::min(pick(8), row_capacity - rows());
         if (count == 0) return;
-        ticks.place_many(rows(), count, capacity, now);
+        ticks.place_many(rows(), count, row_capacity, now);
         plain.resize(plain.size() + count, {now, now});
     }
     void place_from_another() {
-        if (rows() == capacity) return;
+        if (rows() == row_capacity) return;
         ColumnTicks other;
-        other.place_many(0, 3, capacity, std::max<Tick>(now, 3) - 2);
-        if (pick(2)) other.mark(1, capacity, now);
+        other.place_many(0, 3, row_capacity, std::max<Tick>(now, 3) - 2);
+        if (pick(2)) other.mark(1, row_capacity, now);
         const std::uint32_t from = pick(3);
-        ticks.place(rows(), rows(), capacity, other, from);
+        ticks.place(rows(), rows(), row_capacity, other, from);
         plain.emplace_back(other.added(from), other.changed(from));
     }
     void mark() {
         if (plain.empty()) return;
         const std::uint32_t row = pick(rows());
-        ASSERT_EQ(ticks.mark(row, capacity, now), plain[row].second != now);
+        ASSERT_EQ(ticks.mark(row, row_capacity, now), plain[row].second != now);
         plain[row].second = now;
     }
     void mark_all() {
@@ -180,7 +180,7 @@ TEST_P(ColumnTicksRandomTest, BehaveAsATickPerRow) {
             if (pick(4) == 0) mark_all();
             break;
         case 6:
-            for (std::uint32_t i = pick(pick(10) == 0 ? capacity : 6); i > 0; --i) drop();
+            for (std::uint32_t i = pick(pick(10) == 0 ? row_capacity : 6); i > 0; --i) drop();
             break;
         default:
             now += pick(2);
