@@ -10,7 +10,7 @@ const float cells_per_grain = 1.6;
 #define SCREEN 2
 
 #ifdef PLACES
-layout(binding = 0) uniform sampler2D places;   // place on the surface at rest, its own radius the unit; radii per pixel
+layout(binding = 0) uniform sampler2D places;   // place on the surface at rest, in radii of it; radii per pixel
 layout(binding = 1) uniform usampler2D objects; // seed of the object, metres in a radius (a float's bits)
 #endif
 #if GRAIN == ADVECTED
@@ -56,7 +56,7 @@ vec4 solid_field(ivec2 pixel) {
 #ifdef WORLD_SIZE
     float level = cells(size / uintBitsToFloat(object.y));
 #else
-    // Between grains that are as large everywhere on the screen, and grains that are as large everywhere on the surface.
+    // Between grains of one size on the screen, and grains of one size on the surface.
     float level = cells(size) + mix(log2(reference_pixel), log2(place.w), flatness);
 #endif
     return normal_field(place.xyz, level, seed ^ object.x);

@@ -17,8 +17,9 @@ vec4 past(sampler2D map, vec4 phase) {
     ivec2 pixel = ivec2(gl_FragCoord.xy) - corner, outermost = textureSize(map, 0) - 1;
     ivec2 low = max(pixel - reach, ivec2(0)), high = min(pixel + reach, outermost);
     vec2 size = vec2(max(high - low, ivec2(1)));
-    vec2 across = (texelFetch(map, ivec2(high.x, pixel.y), 0).xy - texelFetch(map, ivec2(low.x, pixel.y), 0).xy) / size.x;
-    vec2 up = (texelFetch(map, ivec2(pixel.x, high.y), 0).xy - texelFetch(map, ivec2(pixel.x, low.y), 0).xy) / size.y;
+    vec2 left = texelFetch(map, ivec2(low.x, pixel.y), 0).xy, right = texelFetch(map, ivec2(high.x, pixel.y), 0).xy;
+    vec2 below = texelFetch(map, ivec2(pixel.x, low.y), 0).xy, above = texelFetch(map, ivec2(pixel.x, high.y), 0).xy;
+    vec2 across = (right - left) / size.x, up = (above - below) / size.y;
     float area = max(across.x * up.y - across.y * up.x, 1e-6);
     // Half the sum of the stretch and its inverse, 1 for no stretch: edges of what moves, and cuts, leave maps that are
     // no good for noise.
