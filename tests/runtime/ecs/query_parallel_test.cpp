@@ -136,10 +136,10 @@ TEST_P(QueryParallelTest, EachMatchOnce) {
     const auto visit = [&](Entity entity, auto&&...) { ++visits[entity.index]; };
     const auto plain = many.world.query<const Position, With<Speed>>();
     plain.parallel_each(visit);
-    expect_once(plain.entity_count());
+    expect_once(plain.count());
     const auto by_row = many.world.query<const Position, With<Heat>>();
     by_row.parallel_each(visit);
-    expect_once(by_row.entity_count());
+    expect_once(by_row.count());
     many.world.query<const Position>().parallel_each_chunk([&](std::span<const Entity> entities, auto&&...) {
         for (const Entity entity : entities) visit(entity);
     });
