@@ -1,10 +1,10 @@
 // Fields of four independent channels, each evenly distributed over [-1, 1] at every place.
 //
 // A field is a sum of octaves of lattice noise, as in Dynamic Solid Textures (Benard et al. 2009): octave i has cells
-// of 2^i units, and which octaves count follows from the size of grains wanted, so that a field can be looked at from any
-// distance and octaves only fade in and out. Unlike there, each octave is a noise of its own, and the variances of the
-// octaves, not their amplitudes, add up to one: a normal distribution stays one at every distance and every place, and
-// its distribution function makes it even.
+// of 2^i units, and which octaves count follows from the size of grains wanted, so that a field can be looked at from
+// any distance and octaves only fade in and out. Unlike there, each octave is a noise of its own, and the variances of
+// the octaves, not their amplitudes, add up to one: a normal distribution stays one at every distance and every place,
+// and its distribution function makes it even.
 
 // PCG4D (Jarzynski and Olano 2020): four random words of four.
 uvec4 pcg4d(uvec4 v) {
