@@ -55,9 +55,10 @@ function(hachure_unity target)
     endforeach()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # g++ warns of a class with members of an anonymous namespace's types in any file that is included, as these are now. All
-  # other warnings stay.
-  target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  # g++ warns of a class with members of an anonymous namespace's types in any file that is included, as these are now. In
+  # tests a local may have the name of another file's constant; builds of single files warn of their own.
+  target_compile_options(${target} PRIVATE -Wno-subobject-linkage
+    $<$<NOT:$<STREQUAL:${target},hachure>>:-Wshadow=local>)
 endfunction()
 
 function(hachure_add_library)

@@ -39,7 +39,7 @@ std::vector<Closed> closed_shapes() {
 
 TEST(Shapes, AreClosedAndFaceOutwards) {
     for (const Closed& c : closed_shapes()) {
-        const MeshHealth health = inspect(c.shape.positions, c.shape.indices);
+        const MeshHealth health = geometry::inspect(c.shape.positions, c.shape.indices);
         EXPECT_TRUE(health.watertight()) << c.name;
         EXPECT_EQ(health.components, 1u) << c.name;
         EXPECT_EQ(health.degenerate_triangles + health.sliver_triangles, 0u) << c.name;
