@@ -13,7 +13,7 @@
 namespace hachure::test {
 namespace {
 
-constexpr int width = 320, height = 240;
+constexpr int flow_width = 320, flow_height = 240;
 
 struct FlowError {
     double rms = 0.0;     ///< pixels, of what was in the picture before
@@ -28,17 +28,18 @@ struct OpticalFlowTest : ::testing::Test {
         if (!context) GTEST_SKIP() << "no EGL context: " << reason;
         renderer = std::make_unique<Renderer>(app, *context);
         render = &app.world().resource_mutable<RenderContext>();
-        job = {make({width, height, gpu::Format::r32f}), make({width, height, gpu::Format::r32f}),
-               make(OpticalFlowJob::flow_desc(width, height))};
-        for (const gpu::TextureDesc& desc : OpticalFlowJob::scratch(width, height)) scratch.push_back(make(desc));
+        job = {make({flow_width, flow_height, gpu::Format::r32f}), make({flow_width, flow_height, gpu::Format::r32f}),
+               make(OpticalFlowJob::flow_desc(flow_width, flow_height))};
+        for (const gpu::TextureDesc& desc : OpticalFlowJob::scratch(flow_width, flow_height))
+            scratch.push_back(make(desc));
     }
 
     std::uint32_t make(const gpu::TextureDesc& desc) { return render->backend->create_texture(desc, "flow"); }
 
     void upload(std::uint32_t id, const std::function<double(glm::dvec2)>& tone) {
         std::vector<float> tones;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) tones.push_back(static_cast<float>(tone({x + 0.5, y + 0.5})));
+        for (int y = 0; y < flow_height; ++y)
+            for (int x = 0; x < flow_width; ++x) tones.push_back(static_cast<float>(tone({x + 0.5, y + 0.5})));
         render->backend->texture(id).upload(std::span<const float>(tones), gpu::RowOrder::bottom_first);
     }
 
@@ -57,14 +58,15 @@ struct OpticalFlowTest : ::testing::Test {
         const std::vector<glm::dvec2> found = flow();
         FlowError result;
         const auto in_picture = [](glm::dvec2 p, double edge) {
-            return p.x > edge && p.y > edge && p.x < width - edge && p.y < height - edge;
+            return p.x > edge && p.y > edge && p.x < flow_width - edge && p.y < flow_height - edge;
         };
         double count = 0.0, inner_count = 0.0;
-        for (int y = 0; y < height / 2; ++y)
-            for (int x = 0; x < width / 2; ++x) {
+        for (int y = 0; y < flow_height / 2; ++y)
+            for (int x = 0; x < flow_width / 2; ++x) {
                 const glm::dvec2 place(2.0 * x + 1.0, 2.0 * y + 1.0), from = origin(place);
                 if (!in_picture(from, 0.0)) continue;
-                const double off = glm::length(found[static_cast<std::size_t>(y * width / 2 + x)] - (place - from));
+                const double off =
+                    glm::length(found[static_cast<std::size_t>(y * flow_width / 2 + x)] - (place - from));
                 result.rms += off * off;
                 count += 1.0;
                 if (!in_picture(from, 16.0) || !in_picture(place, 16.0)) continue;
@@ -94,7 +96,9 @@ struct OpticalFlowTest : ::testing::Test {
 };
 
 /// About the picture's middle.
-Origin turned(double degrees, double times) { return turned_about({0.5 * width, 0.5 * height}, degrees, times); }
+Origin turned(double degrees, double times) {
+    return turned_about({0.5 * flow_width, 0.5 * flow_height}, degrees, times);
+}
 
 TEST_F(OpticalFlowTest, IsZeroForAStillPicture) {
     const FlowError found = error(shifted(0, 0));
@@ -137,8 +141,8 @@ TEST_F(OpticalFlowTest, FollowsWhatMovesBeforeWhatStands) {
            [&](glm::dvec2 p) { return inside(p) ? before(0.8 * glm::dvec2(p.y - 2.0, p.x - 5.0)) : before(p); });
     const std::vector<glm::dvec2> found = flow();
     double moving = 0.0, standing = 0.0, moving_count = 0.0, standing_count = 0.0;
-    for (int y = 0; y < height / 2; ++y)
-        for (int x = 0; x < width / 2; ++x) {
+    for (int y = 0; y < flow_height / 2; ++y)
+        for (int x = 0; x < flow_width / 2; ++x) {
             const glm::dvec2 p(2.0 * x + 1.0, 2.0 * y + 1.0), flow_here = found[static_cast<std::size_t>(y * 160 + x)];
             const double off = glm::length(p - glm::dvec2(160.0, 120.0));
             if (off < 40.0) moving += glm::length(flow_here - glm::dvec2(5, 2)), moving_count += 1.0;

@@ -20,7 +20,7 @@
 namespace hachure {
 namespace {
 
-constexpr int width = 48, height = 32;
+constexpr int stamps_width = 48, stamps_height = 32;
 constexpr double line_x = 20.3;
 
 struct Stamp {
@@ -34,7 +34,7 @@ struct Stamp {
 class UprightLine {
 public:
     explicit UprightLine(gpu::Context& context) : render_(context) {
-        view_.width = width, view_.height = height;
+        view_.width = stamps_width, view_.height = stamps_height;
         render_.view_uniforms.bind(view_, {});
         job_.profile = filled(gpu::Format::rgba32f, [](int x, int y) {
             return glm::vec4(float(line_x - (x + 0.5)), 0.0f, float(height_at(y)), float(1.0 + height_at(y)));
@@ -42,7 +42,7 @@ public:
         job_.data = filled(gpu::Format::rgba16f, [](int, int) { return glm::vec4(1.0f, 1.0f, 0.0f, 0.0f); });
         job_.place = texture(gpu::Format::rgba16f);
         job_.ink = texture(gpu::Format::rgba16f);
-        job_.rect = {0, 0, width, height};
+        job_.rect = {0, 0, stamps_width, stamps_height};
     }
     ~UprightLine() {
         for (const std::uint32_t id : made_) render_.backend->destroy_texture(id);
@@ -50,15 +50,15 @@ public:
     UprightLine(const UprightLine&) = delete;
     UprightLine& operator=(const UprightLine&) = delete;
 
-    static double height_at(int y) { return (y + 0.5) / height; }
+    static double height_at(int y) { return (y + 0.5) / stamps_height; }
     static double distance_at(int x) { return std::abs(line_x - (x + 0.5)); }
 
     StampJob& job() { return job_; }
     std::uint32_t filled(gpu::Format format, const std::function<glm::vec4(int, int)>& value) {
         const std::uint32_t id = texture(format);
         std::vector<float> texels;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
+        for (int y = 0; y < stamps_height; ++y)
+            for (int x = 0; x < stamps_width; ++x) {
                 const glm::vec4 v = value(x, y);
                 for (int c = 0; c < 4; ++c) texels.push_back(v[c]);
             }
@@ -72,7 +72,7 @@ public:
         job_.style = &style;
         maker_.run(render_, job_);
         const std::vector<float> places = read(job_.place), inks = read(job_.ink);
-        std::vector<Stamp> stamps(std::size_t(width) * height);
+        std::vector<Stamp> stamps(std::size_t(stamps_width) * stamps_height);
         for (std::size_t i = 0; i < stamps.size(); ++i) {
             const float *p = &places[4 * i], *c = &inks[4 * i];
             stamps[i].weight = double(c[3]);
@@ -84,16 +84,16 @@ public:
     }
 
     static const Stamp& at(const std::vector<Stamp>& stamps, int x, int y) {
-        return stamps[static_cast<std::size_t>(y * width + x)];
+        return stamps[static_cast<std::size_t>(y * stamps_width + x)];
     }
 
 private:
     std::uint32_t texture(gpu::Format format) {
-        made_.push_back(render_.backend->create_texture({width, height, format}, "stamps test"));
+        made_.push_back(render_.backend->create_texture({stamps_width, stamps_height, format}, "stamps test"));
         return made_.back();
     }
     std::vector<float> read(std::uint32_t id) {
-        std::vector<float> texels(4u * width * height);
+        std::vector<float> texels(4u * stamps_width * stamps_height);
         render_.backend->texture(id).read(std::span<float>(texels), gpu::RowOrder::bottom_first);
         return texels;
     }
@@ -111,8 +111,8 @@ TEST_P(StampsTest, WeightsAreAGaussianOfTheDistanceTimesAPeakThatFollowsTheHeigh
     UprightLine line(context());
     const ImplicitBrush brush{.peak = 0.8f, .peak_low = 0.25f, .peak_high = 0.75f, .spread = 2.5f, .cutoff = 0.01f};
     const std::vector<Stamp> stamps = line.run(brush);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < stamps_height; ++y)
+        for (int x = 0; x < stamps_width; ++x) {
             const double peak = 0.8 * std::clamp((UprightLine::height_at(y) - 0.25) / 0.5, 0.0, 1.0);
             const double d = UprightLine::distance_at(x), weight = peak * std::exp(-0.5 * d * d / 6.25);
             if (std::abs(weight - 0.01) < 1e-4) continue;
@@ -127,7 +127,7 @@ TEST_P(StampsTest, SizeAndSpreadFollowWhatTheyAreToldTo) {
     brush.spread_by = BrushDriver::height, brush.weak_spread = 5.0f, brush.spread = 1.0f;
     brush.spread_low = 0.0f, brush.spread_high = 1.0f;
     const std::vector<Stamp> stamps = line.run(brush);
-    for (int y = 0; y < height; ++y) {
+    for (int y = 0; y < stamps_height; ++y) {
         const double h = UprightLine::height_at(y), spread = 5.0 - 4.0 * h, d = UprightLine::distance_at(22);
         EXPECT_NEAR(line.at(stamps, 22, y).weight, std::exp(-0.5 * d * d / (spread * spread)), 6e-4) << y;
         EXPECT_NEAR(line.at(stamps, 22, y).radius, 2.0 + 4.0 * std::clamp((1.0 + h - 1.2) / 0.4, 0.0, 1.0), 4e-3) << y;
@@ -138,7 +138,7 @@ TEST_P(StampsTest, ANarrowGaussianIsAsWideAsPixelsNeed) {
     UprightLine line(context());
     const std::vector<Stamp> stamps = line.run({.peak_by = BrushDriver::constant, .spread = 0.0f});
     double sum = 0.0;
-    for (int x = 0; x < width; ++x) sum += line.at(stamps, x, 5).weight;
+    for (int x = 0; x < stamps_width; ++x) sum += line.at(stamps, x, 5).weight;
     EXPECT_NEAR(sum, double(least_spread) * std::sqrt(2.0 * std::numbers::pi), 0.02);
 }
 
