@@ -58,7 +58,7 @@ function(hachure_unity target)
   # g++ warns of a class with members of an anonymous namespace's types in any file that is included, as these are now. In
   # tests a local may have the name of another file's constant; builds of single files warn of their own.
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage
-    $<$<NOT:$<STREQUAL:${target},hachure>>:-Wshadow=local>)
+    $<$<NOT:$<STREQUAL:${target},hachure>>:-Wno-shadow>)
 endfunction()
 
 function(hachure_add_library)
