@@ -6,12 +6,14 @@
 
 #include <chrono>
 
+#include <hachure/tests/support/temp_folder.h>
+
 #include "gltf_builder.h"
 
 namespace hachure::assets {
 namespace {
 
-using gltf_testing::TempFolder;
+using test::TempFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;

@@ -258,7 +258,7 @@ TEST(LayeredImage, DamagedFilesAreReadOrRefused) {
         for (std::size_t n = 0; n <= random(3); ++n)
             bytes[random(random(4) > 0 ? 700 : bytes.size())] ^= static_cast<char>(1u << random(8));
         const auto file = folder.write("d.exr", bytes);
-        const std::string found = fault([&] { static_cast<void>(read_layers(file, all)); });
+        const std::string found = layered_fault([&] { static_cast<void>(read_layers(file, all)); });
         refused += found != "none";
         EXPECT_TRUE(found == "none" || found.starts_with(file.string() + ": ")) << i << ": " << found;
         EXPECT_EQ(found.find('\n'), found.npos);
