@@ -141,7 +141,9 @@ TEST_P(FeatureFailuresTest, WavesAndGridsFollowSmallChanges) {
                 }));
                 const double now = energy(finding.profiles(), 0.1);
                 EXPECT_GT(now, 0.0);
-                if (before >= 0.0) EXPECT_NEAR(now / before, 1.0, 0.03) << grid << " " << length << " " << shift;
+                if (before >= 0.0) {
+                    EXPECT_NEAR(now / before, 1.0, 0.03) << grid << " " << length << " " << shift;
+                }
                 before = now;
             }
         }
