@@ -75,18 +75,35 @@ std::uint32_t TraceRidgesJob::cross(std::size_t pixel, std::size_t neighbour, gl
     return static_cast<std::uint32_t>(nodes.size() - 1);
 }
 
+/// The same where the neighbour sees no line: the pixel speaks for both. Of a line along an outline one half is hidden
+/// by what lies before it, and its middle may be just beyond the last pixel that sees it.
+std::uint32_t TraceRidgesJob::cross_alone(std::size_t pixel, glm::vec2 at, glm::vec2 step) {
+    const glm::vec2 tangent(image.directions[pixel]);
+    if (!(glm::dot(tangent, tangent) > 0.5f)) return no_ridge;
+    const glm::vec2 normal = normal_of(glm::normalize(tangent));
+    const float a = glm::dot(glm::vec2(image.points[pixel]), normal), b = a - glm::dot(step, normal);
+    if ((a < 0.0f) == (b < 0.0f)) return no_ridge;
+    nodes.push_back({{at + a / (a - b) * step, image.directions[pixel].z, image.points[pixel].w},
+                     glm::normalize(tangent),
+                     image.owners[pixel]});
+    return static_cast<std::uint32_t>(nodes.size() - 1);
+}
+
+/// The node between two neighbours, whichever of them see a line.
+std::uint32_t TraceRidgesJob::cross_link(std::size_t pixel, std::size_t neighbour, glm::vec2 at, glm::vec2 step) {
+    const bool here = holds_line(pixel), there = holds_line(neighbour);
+    if (here && there) return cross(pixel, neighbour, at, step);
+    if (here) return cross_alone(pixel, at, step);
+    return there ? cross_alone(neighbour, at + step, -step) : no_ridge;
+}
+
 void TraceRidgesJob::cross_right(int y, std::vector<std::uint32_t>& row) {
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t first = static_cast<std::size_t>(y) * width;
     row.assign(width, no_ridge);
-    bool before = holds_line(first);
-    for (std::size_t x = 0; x + 1 < width; ++x) {
-        const bool next = holds_line(first + x + 1);
-        if (before && next)
-            row[x] = cross(first + x, first + x + 1, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
-                           {1.0f, 0.0f});
-        before = next;
-    }
+    for (std::size_t x = 0; x + 1 < width; ++x)
+        row[x] = cross_link(first + x, first + x + 1, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
+                            {1.0f, 0.0f});
 }
 
 void TraceRidgesJob::cross_above(int y, std::vector<std::uint32_t>& row) {
@@ -95,9 +112,8 @@ void TraceRidgesJob::cross_above(int y, std::vector<std::uint32_t>& row) {
     row.assign(width, no_ridge);
     if (y + 1 >= image.height) return;
     for (std::size_t x = 0; x < width; ++x)
-        if (holds_line(first + x) && holds_line(first + width + x))
-            row[x] = cross(first + x, first + width + x, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
-                           {0.0f, 1.0f});
+        row[x] = cross_link(first + x, first + width + x, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
+                            {0.0f, 1.0f});
 }
 
 /// The nodes around the cell whose lower left pixel is at `x` of the row: two are the ends of a piece; more meet in a
@@ -122,7 +138,7 @@ void TraceRidgesJob::join_cell(std::size_t x) {
     nodes.push_back(meeting);
 }
 
-/// Pixels of a row that see a line, while none of their neighbours sees it from its other side.
+/// Pixels of a row that see a line, while no_ridge of their neighbours sees it from its other side.
 void TraceRidgesJob::add_lone_pixels(int y) {
     const auto width = static_cast<std::size_t>(image.width);
     for (std::size_t x = 0; x < width; ++x) {

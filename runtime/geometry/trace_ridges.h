@@ -55,6 +55,8 @@ struct TraceRidgesJob {
 private:
     [[nodiscard]] bool holds_line(std::size_t pixel) const;
     [[nodiscard]] std::uint32_t cross(std::size_t pixel, std::size_t neighbour, glm::vec2 at, glm::vec2 step);
+    [[nodiscard]] std::uint32_t cross_alone(std::size_t pixel, glm::vec2 at, glm::vec2 step);
+    [[nodiscard]] std::uint32_t cross_link(std::size_t pixel, std::size_t neighbour, glm::vec2 at, glm::vec2 step);
     void cross_right(int y, std::vector<std::uint32_t>& row);
     void cross_above(int y, std::vector<std::uint32_t>& row);
     void join_cell(std::size_t x);

@@ -1,39 +1,38 @@
 // The line beside the edge of a tone, where there is no ridge to arrive at: by the profile of the tone across it, sampled
 // once, half a spacing apart. All that the search asks there is read from that.
 
-// Curvature and slope (in tone over half widths, > 0 as the line's own) at nodes half a spacing apart, from two spacings
-// before the pixel to two and a half beyond it; beyond is away from the edge. A pixel at the line's outer rim is a
-// spacing beyond its middle, and that half a spacing beyond where the curvature is largest.
-const int nodes = 10;
-const int pixel_node = 4; // the node that is the pixel
+// Curvature and slope (in tone over half widths, > 0 as the line's own) at nodes half a spacing apart, from one spacing
+// before the pixel to two and a half beyond it; beyond is away from the edge.
 struct Profile {
-    float curvature[nodes];
-    float slope[nodes];
+    vec4 curvature[2];
+    vec4 slope[2];
 };
+const float pixel_node = 2.0; // the node that is the pixel
 
 Profile profile_across(float side, float spacing, vec2 away) {
-    float t[nodes + 4];
-    for (int i = 0; i < nodes + 4; ++i) t[i] = side * tone_at(0.5 * spacing * float(i - 2 - pixel_node) * away);
+    float t[12];
+    for (int i = 0; i < 12; ++i) t[i] = side * tone_at(0.5 * spacing * (float(i) - 4.0) * away);
     Profile profile;
-    for (int i = 0; i < nodes; ++i) {
-        profile.curvature[i] = 0.5 * (t[i] + t[i + 4]) - t[i + 2];
-        profile.slope[i] = 0.5 * (t[i + 4] - t[i]);
+    for (int i = 0; i < 8; ++i) {
+        profile.curvature[i / 4][i % 4] = 0.5 * (t[i] + t[i + 4]) - t[i + 2];
+        profile.slope[i / 4][i % 4] = 0.5 * (t[i + 4] - t[i]);
     }
     return profile;
 }
 
-// Between nodes, in a straight line. A sum over all: an index that varies is slower than that.
-float at_node(float values[nodes], float node) {
-    float sum = 0.0;
-    for (int i = 0; i < nodes; ++i) sum += values[i] * max(1.0 - abs(node - float(i)), 0.0);
-    return sum;
+// Between nodes, in a straight line.
+float at_node(vec4 values[2], float node) {
+    vec4 low = max(1.0 - abs(node - vec4(0.0, 1.0, 2.0, 3.0)), 0.0);
+    vec4 high = max(1.0 - abs(node - vec4(4.0, 5.0, 6.0, 7.0)), 0.0);
+    return dot(values[0], low) + dot(values[1], high);
 }
 
-// Where the curvature is largest, a deviation of the blur from the edge.
+// Where the curvature is largest, within a spacing of the pixel: a deviation of the blur from the edge.
 float most_curved_node(Profile profile) {
-    float c[nodes] = profile.curvature;
-    float largest = -1.0, node = float(pixel_node);
-    for (int i = 1; i < pixel_node + 3; ++i) {
+    float c[8] = float[8](profile.curvature[0].x, profile.curvature[0].y, profile.curvature[0].z, profile.curvature[0].w,
+                          profile.curvature[1].x, profile.curvature[1].y, profile.curvature[1].z, profile.curvature[1].w);
+    float largest = -1.0, node = pixel_node;
+    for (int i = 1; i < 5; ++i) {
         float bend = 2.0 * c[i] - c[i - 1] - c[i + 1];
         bool is_larger = c[i] > largest;
         largest = is_larger ? c[i] : largest;
@@ -72,5 +71,5 @@ Beside find_beside_edge(float spacing, float side, float beta, Principal start) 
     float curvature = max(at_node(profile.curvature, node), 1e-6);
     float distance = -0.5 * at_node(profile.slope, node) / curvature;
     node += clamp(2.0 * distance, -1.0, 1.0);
-    return Beside(0.5 * spacing * (node - float(pixel_node)) * away, curvature_after_walk(profile, node, beta));
+    return Beside(0.5 * spacing * (node - pixel_node) * away, curvature_after_walk(profile, node, beta));
 }

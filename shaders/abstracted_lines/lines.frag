@@ -1,6 +1,7 @@
 #version 450 core
-// Lines along ridges and valleys of the blurred tone image (Lee et al. 2007, section 3). What the pixel finds becomes
-// its colour, or with MAPS and POINTS numbers for others. Where there is no line nothing is written.
+// Lines along ridges and valleys of the blurred tone image (Lee et al. 2007, section 3). What the pixel finds is kept
+// for draw_lines.frag, or with MAPS and POINTS, as far as other pixels agree, becomes numbers for others. Where there is
+// no line nothing is written.
 layout(binding = 0) uniform sampler2D tones; // red: diffuse, green: specular; blurred by half a line's width
 #ifdef STACK
 // Widths vary: the next wider blur, and where widths are: blue: width times coverage, alpha: coverage, blurred widely.
@@ -44,7 +45,13 @@ float tone_at(vec2 offset) {
 #include "abstracted_lines/fit.glsl"
 #include "abstracted_lines/search.glsl"
 #include "abstracted_lines/style.glsl"
+
+#if defined(MAPS) || defined(POINTS)
 #include "abstracted_lines/across.glsl"
+#include "abstracted_lines/agreement.glsl"
+layout(binding = 4) uniform sampler2D found_lines; // what was written without these, of diffuse and specular tone
+layout(binding = 5) uniform sampler2D specular_found_lines;
+#endif
 
 #if defined(MAPS)
 layout(location = 0) out vec2 out_distance;
@@ -57,18 +64,17 @@ layout(location = 2) out vec4 out_specular_points;
 layout(location = 3) out vec4 out_specular_directions;
 layout(location = 4) out uint out_owner;
 #else
-layout(location = 0) out vec4 out_line;
+layout(location = 0) out vec4 out_found;
+layout(location = 1) out vec4 out_specular_found;
 #endif
 
-// What the pixel draws.
 struct Stroke {
     Ridge ridge;
     float strength; // opacity along the line (section 3.3)
-    float opacity;  // with its fading across the width
 };
-Stroke no_stroke() { return Stroke(no_ridge(), 0.0, 0.0); }
+Stroke no_stroke() { return Stroke(no_ridge(), 0.0); }
 
-Stroke stroke_of(Fit fit, int channel, float tone, float width, float drawn_width, ToneLineStyle style) {
+Stroke stroke_of(Fit fit, int channel, float tone, float width, ToneLineStyle style) {
     Stroke stroke = no_stroke();
     searched = channel;
     float curvature = curvature_of(fit);
@@ -81,39 +87,40 @@ Stroke stroke_of(Fit fit, int channel, float tone, float width, float drawn_widt
     // Counterchange: dark lines are lighter where the tone is light, highlight lines where it is dark.
     float against = mix(1.0, dark ? 1.0 - tone : tone, style.line.z);
     stroke.strength = clamp((abs(stroke.ridge.curvature) - limits.x) / (limits.y - limits.x), 0.0, 1.0) * against;
-    stroke.opacity = stroke.strength * across_width(length(stroke.ridge.offset), drawn_width, style.highlight_color.w);
     return stroke;
 }
+
+vec4 as_found(Stroke stroke) { return vec4(stroke.ridge.offset, stroke.ridge.curvature, stroke.strength); }
 
 #if defined(MAPS)
 void write_strokes(Stroke diffuse, Stroke specular, float width, uint owner, vec2 tone, ToneLineStyle style) {
     Ridge a = diffuse.ridge, b = specular.ridge;
     out_distance = vec2(a.found ? length(a.offset) : 1e10, b.found ? length(b.offset) : 1e10);
     out_curvature = vec2(a.found ? a.curvature : 0.0, b.found ? b.curvature : 0.0);
+    vec2 opacity =
+        vec2(diffuse.strength, specular.strength) *
+        vec2(agreement(found_lines, as_found(diffuse)), agreement(specular_found_lines, as_found(specular))) *
+        vec2(across_width(length(a.offset), width, style.highlight_color.w),
+             across_width(length(b.offset), width, style.highlight_color.w));
     float dark = 0.0, light = 0.0;
-    if (a.curvature > 0.0) dark = diffuse.opacity; else light = diffuse.opacity;
-    if (b.curvature > 0.0) dark = max(dark, specular.opacity); else light = max(light, specular.opacity);
+    if (a.curvature > 0.0) dark = opacity.x; else light = opacity.x;
+    if (b.curvature > 0.0) dark = max(dark, opacity.y); else light = max(light, opacity.y);
     out_opacity = vec2(dark, light);
 }
 #elif defined(POINTS)
 void write_strokes(Stroke diffuse, Stroke specular, float width, uint owner, vec2 tone, ToneLineStyle style) {
     Ridge a = diffuse.ridge, b = specular.ridge;
-    out_points = vec4(a.offset, a.curvature, diffuse.strength);
+    out_points = vec4(a.offset, a.curvature, diffuse.strength * agreement(found_lines, as_found(diffuse)));
     out_directions = vec4(-a.across.y, a.across.x, width, tone.x);
-    out_specular_points = vec4(b.offset, b.curvature, specular.strength);
+    out_specular_points =
+        vec4(b.offset, b.curvature, specular.strength * agreement(specular_found_lines, as_found(specular)));
     out_specular_directions = vec4(-b.across.y, b.across.x, width, tone.y);
     out_owner = owner;
 }
 #else
-vec4 laid_over(vec4 below, Stroke stroke, ToneLineStyle style) {
-    float opacity = stroke.opacity;
-    vec3 color = stroke.ridge.curvature > 0.0 ? style.color.rgb : style.highlight_color.rgb;
-    return vec4(color * opacity, opacity) + below * (1.0 - opacity);
-}
-
 void write_strokes(Stroke diffuse, Stroke specular, float width, uint owner, vec2 tone, ToneLineStyle style) {
-    if (style.line.y <= 0.0) discard;
-    out_line = laid_over(laid_over(vec4(0.0), diffuse, style), specular, style);
+    out_found = as_found(diffuse);
+    out_specular_found = as_found(specular);
 }
 #endif
 
@@ -154,10 +161,10 @@ void main() {
     Stroke diffuse = no_stroke(), specular = no_stroke();
     float tone = clamp(first.tone, 0.0, 1.0);
 #if CHANNELS != 2
-    diffuse = stroke_of(first, 0, tone, search, width, style);
+    diffuse = stroke_of(first, 0, tone, search, style);
 #endif
 #if CHANNELS != 1
-    specular = stroke_of(second, 1, tone, search, width, style);
+    specular = stroke_of(second, 1, tone, search, style);
 #endif
     write_strokes(diffuse, specular, width, owner, vec2(first.tone, second.tone), style);
 }

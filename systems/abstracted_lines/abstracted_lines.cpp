@@ -23,6 +23,11 @@ void add_aovs(std::vector<AovInfo>& known) {
                      "change of tone over half a line's width at that place, of diffuse and of specular tone: above 0 "
                      "in dark lines, below in highlights",
                      {"diffuse", "specular"}});
+    for (const char* name : {"ridge_points", "specular_ridge_points"})
+        known.push_back({name,
+                         "pixels right and up from a pixel to the middle of the line that it belongs to, the curvature "
+                         "there, and the opacity along the line; 0 where there is none",
+                         {"right", "up", "curvature", "opacity"}});
     known.push_back({"line_opacity", "opacity of dark and of highlight lines of tone", {"dark", "highlight"}});
 }
 

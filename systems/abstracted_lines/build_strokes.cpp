@@ -90,7 +90,12 @@ void StrokeBuilder::run(Work& work, const RidgeMaps& maps, const StrokeFrame& fr
     work.link.image = work.trace.image;
     work.link.sign = work.trace.sign;
     work.link.run();
-    const geometry::PolylineSet& lines = work.link.lines;
+    work.reconcile.lines = &work.link.lines;
+    work.reconcile.image = work.trace.image;
+    work.reconcile.sign = work.trace.sign;
+    work.reconcile.limits = limits_;
+    work.reconcile.run();
+    const geometry::PolylineSet& lines = work.reconcile.reconciled;
     work.simplify.lines = &lines;
     work.simplify.tolerance = tolerance;
     work.simplify.run();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hachure/runtime/geometry/link_ridges.h>
+#include <hachure/runtime/geometry/reconcile_polylines.h>
 #include <hachure/runtime/geometry/simplify_polylines.h>
 #include <hachure/runtime/geometry/stroke_phase.h>
 #include <hachure/runtime/geometry/trace_ridges.h>
@@ -39,9 +40,10 @@ private:
         StrokeKind kind = StrokeKind::dark;
         geometry::TraceRidgesJob trace;
         geometry::LinkRidgesJob link;
+        geometry::ReconcilePolylinesJob reconcile;
         geometry::SimplifyPolylinesJob simplify;
         geometry::StrokePhaseJob phase;
-        std::vector<float> depths;      ///< by point of `link`
+        std::vector<float> depths;      ///< by point of `reconcile`
         std::vector<glm::vec3> places;  ///< likewise
         std::vector<glm::vec2> origins; ///< by line
     };

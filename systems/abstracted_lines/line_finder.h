@@ -5,6 +5,7 @@
 #include <hachure/runtime/gpu/framebuffer.h>
 #include <hachure/systems/abstracted_lines/tone_line_style.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,22 +40,36 @@ struct LineFindJob {
     float least_curvature = 0.0f;          ///< of any style
     gpu::Rect rect;                        ///< where lines can be
     LineOutput output = LineOutput::layer;
-    /// The framebuffer has a depth buffer, clear where lines can be: pixels that can have one are marked there first,
-    /// and no others are searched. Widths must not vary.
-    bool mark_first = false;
+    /// With targets as `output` says, and with `candidates` as its depth if there are any. Not owned.
+    const gpu::Framebuffer* target = nullptr;
+    /// Scratch for what pixels find in both channels, before they are asked whether they agree: as `found_desc` says.
+    std::array<std::uint32_t, 2> found{};
+    /// A depth texture of the targets' size, or 0: pixels that can have a line are marked in it first, and no others
+    /// are searched. Its contents are lost. Widths must not vary.
+    std::uint32_t candidates = 0;
 };
 
 /// Runs the job, and keeps the buffer that it needs.
 class LineFinder {
 public:
-    /// Draws into the framebuffer that is bound.
+    /// Of LineFindJob::found, for a view.
+    [[nodiscard]] static gpu::TextureDesc found_desc(int width, int height);
+
     void run(RenderContext& render, const LineFindJob& job);
 
 private:
+    /// What a pass over the pixels does: search, search and compare with what others found, or draw what was found.
+    enum class Step { find, compare, draw };
+
     void upload(const LineFindJob& job);
     void mark_candidates(RenderContext& render, const LineFindJob& job) const;
-    /// Of the pixels that are marked for these channels, or of all.
-    void search(RenderContext& render, const LineFindJob& job, int channels) const;
+    void find(RenderContext& render, const LineFindJob& job) const;
+    void write(RenderContext& render, const LineFindJob& job) const;
+    /// What a pass over the pixels that are marked for these channels, or over all, draws with.
+    [[nodiscard]] static gpu::ProgramSource program_source(const LineFindJob& job, int channels, Step step);
+    /// Draws that with the framebuffer that is bound, level by level.
+    void draw(RenderContext& render, const LineFindJob& job, int channels, Step step) const;
+
     gpu::Buffer buffer_;
     bool uniform_ = false; ///< what the buffer is for
 };

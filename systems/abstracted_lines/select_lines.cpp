@@ -23,7 +23,8 @@ ToneRects rects_around(const gpu::Rect& lines, float widest, bool whole, const V
 }
 
 bool wants_whole_view(const FrameRequests& requests) {
-    for (const char* name : {"tone", "tone_specular", "ridge_distance", "ridge_curvature", "line_opacity"})
+    for (const char* name : {"tone", "tone_specular", "ridge_distance", "ridge_curvature", "line_opacity",
+                             "ridge_points", "specular_ridge_points"})
         if (requests.wants(name)) return true;
     return false;
 }
@@ -96,7 +97,9 @@ void SelectToneLines::operator()(Query<const AbstractedLines> styled, Query<cons
         frame.rects.lines = grown(frame.rects.lines, outside, view);
     }
     frame.rects = rects_around(frame.rects.lines, frame.widest, wants_whole_view(requests), view);
-    if (!frame.uniform) requests.textures.insert("object_id");
+    // Points are of owners, also where all are alike.
+    const bool owners = requests.wants("ridge_points") || requests.wants("specular_ridge_points");
+    if (!frame.uniform || owners) requests.textures.insert("object_id");
     if (frame.pictures) requests.textures.insert("picture_tone");
     layer.set("abstracted_lines", frame.pixels || frame.strokes ? frame.rects.lines : gpu::Rect{});
 }

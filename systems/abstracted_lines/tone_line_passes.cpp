@@ -17,6 +17,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 
 namespace hachure {
 namespace {
@@ -52,6 +53,7 @@ struct BlurPass {
 /// What finding lines reads, and what it draws into.
 struct FindPass {
     std::vector<TextureHandle> levels, targets;
+    std::array<TextureHandle, 2> found; ///< scratch
     TextureHandle object_ids;
     TextureHandle candidates; ///< depth that marks the pixels which are searched
     bool clear = false;       ///< the targets are new
@@ -100,8 +102,9 @@ void draw_pictures(const World& world, RenderContext& render, std::uint32_t tone
     }
 }
 
-/// Runs the search into the targets of a pass.
-void find_lines(World& world, const FindPass& data, gpu::PassContext& pass, LineFinder& finder, LineOutput output) {
+/// Runs the search into a framebuffer of the targets of a pass.
+void find_lines(World& world, const FindPass& data, gpu::PassContext& pass, LineFinder& finder,
+                const gpu::Framebuffer& target, LineOutput output) {
     RenderContext& render = world.resource_mutable<RenderContext>();
     const ToneLineFrame& frame = world.resource<ToneLineFrame>();
     if (frame.rects.empty()) return;
@@ -117,14 +120,20 @@ void find_lines(World& world, const FindPass& data, gpu::PassContext& pass, Line
                         .least_curvature = frame.least_curvature,
                         .rect = frame.rects.lines,
                         .output = output,
-                        .mark_first = bool(data.candidates)});
+                        .target = &target,
+                        .found = {pass.texture(data.found[0]), pass.texture(data.found[1])},
+                        .candidates = data.candidates ? pass.texture(data.candidates) : 0});
 }
 
-void declare_find(World& world, gpu::PassBuilder& pass, const std::vector<TextureHandle>& levels, bool owners,
-                  FindPass& data) {
+void declare_find(World& world, gpu::PassBuilder& pass, std::string_view name, const std::vector<TextureHandle>& levels,
+                  bool owners, FindPass& data) {
     RenderContext& render = world.resource_mutable<RenderContext>();
     const ToneLineFrame& frame = world.resource<ToneLineFrame>();
     for (const TextureHandle level : levels) data.levels.push_back(pass.read(level));
+    const gpu::TextureDesc& desc = render.graph.desc(levels.front());
+    const gpu::TextureDesc found = LineFinder::found_desc(desc.width, desc.height);
+    data.found = {pass.create(fmt::format("{}_found", name), found),
+                  pass.create(fmt::format("{}_specular_found", name), found)};
     if (owners) data.object_ids = pass.read(render.graph.find("object_id"));
     pass.depends_on(styles_key(frame), frame.least_curvature, render.shaders->generation());
     depend_on_rect(pass, frame.rects.lines);
@@ -137,7 +146,8 @@ void ToneLinePasses::declare(World& world) {
     const FrameRequests& requests = world.resource<FrameRequests>();
     const bool maps =
         requests.wants("ridge_distance") || requests.wants("ridge_curvature") || requests.wants("line_opacity");
-    const bool points = requests.wants("ridge_points");
+    const bool points =
+        requests.wants("ridge_points") || requests.wants("specular_ridge_points") || requests.wants("ridge_directions");
     const bool tones = requests.wants("tone") || requests.wants("tone_specular");
     if (!frame.pixels && !maps && !points && !tones) return;
     Textures textures;
@@ -261,7 +271,8 @@ void ToneLinePasses::declare_lines(World& world, const Textures& textures) {
     graph.add_pass<FindPass>(
         "abstracted_lines",
         [&](gpu::PassBuilder& pass, FindPass& data) {
-            declare_find(world, pass, textures.levels, !world.resource<ToneLineFrame>().uniform, data);
+            declare_find(world, pass, "abstracted_lines", textures.levels, !world.resource<ToneLineFrame>().uniform,
+                         data);
             const TextureHandle below = graph.find("line_layer");
             data.clear = !below;
             data.targets = {below ? pass.write(below)
@@ -272,23 +283,14 @@ void ToneLinePasses::declare_lines(World& world, const Textures& textures) {
             pass.depends_on(cleared.x, cleared.y, cleared.width, cleared.height);
         },
         [this, &world, &render, cleared](const FindPass& data, gpu::PassContext& pass) {
-            const gpu::Framebuffer& layer = render.backend->framebuffer({pass.texture(data.targets.front())});
+            const std::uint32_t layer_id = pass.texture(data.targets.front());
+            const gpu::Framebuffer& layer = render.backend->framebuffer({layer_id});
             // Compose looks at the rectangle of all lines alone, who asks for the layer as an AOV at all of it.
             const bool whole = !world.resource<FrameRequests>().aovs.empty();
             if (data.clear) clear(layer, 0, {0.0f, 0.0f, 0.0f, 0.0f}, whole ? std::nullopt : std::optional(cleared));
-            if (!data.candidates) {
-                layer.bind();
-            } else {
-                const gpu::Framebuffer& marked =
-                    render.backend->framebuffer({pass.texture(data.targets.front())}, pass.texture(data.candidates));
-                marked.bind();
-                gpu::apply({.viewport = {0, 0, marked.width(), marked.height()},
-                            .scissor = world.resource<ToneLineFrame>().rects.lines,
-                            .depth_test = gpu::DepthTest::always,
-                            .depth_write = true});
-                marked.clear_depth(1.0f);
-            }
-            find_lines(world, data, pass, finder_, LineOutput::layer);
+            const gpu::Framebuffer& marked =
+                data.candidates ? render.backend->framebuffer({layer_id}, pass.texture(data.candidates)) : layer;
+            find_lines(world, data, pass, finder_, marked, LineOutput::layer);
         });
 }
 
@@ -299,7 +301,7 @@ void ToneLinePasses::declare_maps(World& world, const Textures& textures) {
     graph.add_pass<FindPass>(
         "ridge_maps",
         [&](gpu::PassBuilder& pass, FindPass& data) {
-            declare_find(world, pass, textures.levels, !world.resource<ToneLineFrame>().uniform, data);
+            declare_find(world, pass, "ridge_maps", textures.levels, !world.resource<ToneLineFrame>().uniform, data);
             for (const char* name : {"ridge_distance", "ridge_curvature", "line_opacity"}) {
                 data.targets.push_back(pass.create(name, {view.width, view.height, gpu::Format::rg32f}));
                 graph.publish(name, data.targets.back());
@@ -310,7 +312,7 @@ void ToneLinePasses::declare_maps(World& world, const Textures& textures) {
                 {pass.texture(data.targets[0]), pass.texture(data.targets[1]), pass.texture(data.targets[2])});
             clear(maps, 0, {1e10f, 1e10f, 0.0f, 0.0f}, std::nullopt);
             for (const int i : {1, 2}) maps.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
-            find_lines(world, data, pass, finder_, LineOutput::maps);
+            find_lines(world, data, pass, finder_, maps, LineOutput::maps);
         });
 }
 
@@ -330,7 +332,7 @@ void ToneLinePasses::declare_points(World& world, const Textures& textures) {
     graph.add_pass<FindPass>(
         "ridge_points",
         [&](gpu::PassBuilder& pass, FindPass& data) {
-            declare_find(world, pass, textures.levels, true, data);
+            declare_find(world, pass, "ridge_points", textures.levels, true, data);
             for (const Target& target : targets) {
                 data.targets.push_back(pass.create(target.name, {view.width, view.height, target.format}));
                 graph.publish(target.name, data.targets.back());
@@ -342,7 +344,7 @@ void ToneLinePasses::declare_points(World& world, const Textures& textures) {
             clear(points, 0, {0.0f, 0.0f, 0.0f, 0.0f}, std::nullopt);
             for (const int i : {1, 2, 3}) points.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
             points.clear_color(4, std::array{0u, 0u, 0u, 0u});
-            find_lines(world, data, pass, finder_, LineOutput::points);
+            find_lines(world, data, pass, finder_, points, LineOutput::points);
         });
 }
 

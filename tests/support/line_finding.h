@@ -51,6 +51,7 @@ public:
         points_[4] = make({width, height, gpu::Format::r32ui}, "owner");
         layer_ = make({width, height, gpu::Format::rgba16f}, "layer");
         candidates_ = make({width, height, gpu::Format::depth32f}, "candidates");
+        for (std::uint32_t& found : found_) found = make(LineFinder::found_desc(width, height), "found");
         rects_ = {whole(), whole(), whole()};
     }
 
@@ -97,7 +98,6 @@ public:
 
     void search(LineOutput output) {
         const gpu::Framebuffer& target = cleared(output);
-        target.bind();
         const ToneLevel level{blurred_, static_cast<double>(searched_)};
         finder_.run(render_, {.quality = quality_,
                               .levels = std::span(&level, 1),
@@ -106,7 +106,9 @@ public:
                               .least_curvature = least_curvature_,
                               .rect = rects_.lines,
                               .output = output,
-                              .mark_first = output == LineOutput::layer});
+                              .target = &target,
+                              .found = found_,
+                              .candidates = output == LineOutput::layer ? candidates_ : 0});
     }
 
     [[nodiscard]] std::vector<PixelLine> read(bool specular = false) const {
@@ -140,9 +142,7 @@ private:
             : output == LineOutput::maps ? render_.backend->framebuffer({maps_[0], maps_[1], maps_[2]})
                                          : render_.backend->framebuffer({p[0], p[1], p[2], p[3], p[4]});
         target.bind();
-        gpu::apply(
-            {.viewport = whole(), .scissor = rects_.lines, .depth_test = gpu::DepthTest::always, .depth_write = true});
-        if (output == LineOutput::layer) target.clear_depth(1.0f);
+        gpu::apply({.viewport = whole(), .scissor = rects_.lines});
         const int floats = output == LineOutput::layer ? 1 : output == LineOutput::maps ? 3 : 4;
         for (int i = 0; i < floats; ++i) target.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
         if (output == LineOutput::points) target.clear_color(4, std::array{0u, 0u, 0u, 0u});
@@ -166,6 +166,7 @@ private:
     std::array<std::uint32_t, 3> maps_{};
     std::array<std::uint32_t, 5> points_{};
     std::uint32_t layer_ = 0, candidates_ = 0;
+    std::array<std::uint32_t, 2> found_{};
     ToneRects rects_;
     LineFinder finder_;
 };

@@ -15,10 +15,10 @@ namespace {
 
 constexpr Canvas canvas{160, 120};
 constexpr int rate = 30;
-constexpr glm::dvec2 middle(80.0, 60.0);
+constexpr glm::dvec2 wave_middle(80.0, 60.0);
 
 /// Frame `frame` of a film that turns by 1.5 degrees a frame and comes nearer.
-Origin film_origin(int frame) { return turned_about(middle, 1.5 * frame, std::pow(1.01, frame)); }
+Origin film_origin(int frame) { return turned_about(wave_middle, 1.5 * frame, std::pow(1.01, frame)); }
 
 void write_film(const std::filesystem::path& file, int frames) {
     const WavePicture picture;
@@ -74,7 +74,8 @@ TEST_F(BrushNoisePictureTest, HoldsToWhatMovesInAVideo) {
         for (int y = 0; y < canvas.height; ++y)
             for (int x = 0; x < canvas.width; ++x) {
                 const glm::dvec2 place(x + 0.5, y + 0.5);
-                velocity.values.emplace_back(glm::vec2(place - turned_about(middle, 1.5, 1.01)(place)), 0.0f, 0.0f);
+                velocity.values.emplace_back(glm::vec2(place - turned_about(wave_middle, 1.5, 1.01)(place)), 0.0f,
+                                             0.0f);
             }
         for (std::size_t i = 0; i < 2; ++i) {
             NoiseImage now = scene->noise(i);

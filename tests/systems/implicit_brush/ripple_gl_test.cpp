@@ -23,7 +23,7 @@ namespace ripple = test::ripple;
 
 constexpr int ripple_size = 256;
 constexpr double scale = 6.0; // px of a unit of the ripple's radius: its wavelength is 38 px
-const glm::dvec2 middle(128.3, 127.6);
+const glm::dvec2 ripple_middle(128.3, 127.6);
 
 /// Where a height over the radius (units) has its lines.
 std::vector<TrueCircle> circles(const std::function<double(double)>& height, double window) {
@@ -37,7 +37,7 @@ std::vector<TrueCircle> circles(const std::function<double(double)>& height, dou
 }
 
 RippleScore score(const std::vector<test::PixelProfile>& profiles, const std::vector<TrueCircle>& truth) {
-    RippleScore result(middle, 2.2 * scale, 20.0 * scale, 2.0, truth);
+    RippleScore result(ripple_middle, 2.2 * scale, 20.0 * scale, 2.0, truth);
     result.add(profiles, ripple_size, 0.5 * truth.back().height); // what a brush for the faintest line would ask for
     return result;
 }
@@ -55,7 +55,7 @@ void expect_accurate(const RippleScore& found, const char* what) {
 /// A relief that rises by `rise` per pixel at a radius (units), away from the middle.
 SlopeImage relief(const std::function<double(double)>& rise) {
     return SlopeImage::of(ripple_size, ripple_size, [&](glm::dvec2 p) {
-        const glm::dvec2 d = p - middle;
+        const glm::dvec2 d = p - ripple_middle;
         const double r = glm::length(d);
         return rise(r / scale) * d / r;
     });
@@ -90,7 +90,7 @@ TEST_P(RippleTest, AsAnImage) {
     RenderContext render(context());
     const ripple::Integral tone(30.0);
     const test::Tones tones = test::draw_points(ripple_size, ripple_size, 1, [&](glm::dvec2 p) {
-        return 0.5 + 0.4 * tone.once(std::min(glm::distance(p, middle) / scale, 30.0));
+        return 0.5 + 0.4 * tone.once(std::min(glm::distance(p, ripple_middle) / scale, 30.0));
     });
     for (const float window : {4.0f, 6.0f, 8.0f}) {
         test::FeatureFinding finding(render, {.feature = BrushFeature::luminance_edges, .window = window}, ripple_size,
@@ -147,7 +147,7 @@ TEST_P(RippleTest, AsAMesh) {
     scene.scene().add(test::ripple_mesh(448, 24.0, 0.4, ripple::h, [](double r) { return ripple::derivative(1, r); }),
                       Transform{});
     // The middle is where the other tests have it.
-    const auto offset = glm::vec2(glm::dvec2(0.5 * ripple_size) - middle) / float(scale);
+    const auto offset = glm::vec2(glm::dvec2(0.5 * ripple_size) - ripple_middle) / float(scale);
     const Entity camera =
         scene.scene().add(Camera{.projection = Projection::orthographic, .ymag = float(0.5 * ripple_size / scale)},
                           Transform{.translation = {offset.x, offset.y, 10.0f}});
