@@ -53,7 +53,7 @@ double ink(DrawnScene& scene) {
 /// Two tori that run through each other, so that they meet in valleys, in one look.
 class Look {
 public:
-    Look(gpu::Context& context, const std::string& name) : scene_(context, {320, 240}) {
+    Look(gpu::Context& context, const std::string& name) : scene_(context, {480, 360}) {
         const glm::quat lean = glm::angleAxis(0.9f, glm::normalize(glm::vec3(1.0f, 0.3f, 0.2f)));
         scene_.add(surface_mesh(geometry::torus(1.0, 0.45, 96, 48)), {{-0.4f, 0.0f, 0.0f}, lean});
         scene_.add(surface_mesh(geometry::torus(0.8, 0.4, 96, 48)), {{0.5f, 0.1f, 0.1f}, glm::inverse(lean)});
@@ -131,25 +131,25 @@ TEST_P(BrushLookTest, TheStyleHasBlackContours) {
     const assets::Image picture = look.picture();
     int black = 0;
     for (int i = 0; i < picture.width * picture.height; ++i) black += picture.u8()[3 * i] < 40 ? 1 : 0;
-    EXPECT_GT(black, 300) << "of about 1500 pixels of outline";
+    EXPECT_GT(black, 300) << "of about 2000 pixels of outline";
     EXPECT_GT(look.ink_of(BrushFeature::contours), 300.0);
 }
 
 /// Figure 13: the presets that say something of pictures draw the edge of a bright disc.
 TEST_P(BrushLookTest, PresetsOfPicturesDrawEdges) {
     const TempFolder files;
-    assets::Image disc = assets::make_image(160, 120, 3, assets::PixelType::u8);
+    assets::Image disc = assets::make_image(480, 360, 3, assets::PixelType::u8);
     for (int i = 0; i < disc.width * disc.height; ++i) {
-        const int x = i % disc.width - 80, y = i / disc.width - 60;
-        for (int c = 0; c < 3; ++c) disc.u8()[3 * i + c] = x * x + y * y < 40 * 40 ? 200 : 60;
+        const int x = i % disc.width - 240, y = i / disc.width - 180;
+        for (int c = 0; c < 3; ++c) disc.u8()[3 * i + c] = x * x + y * y < 120 * 120 ? 200 : 60;
     }
     assets::write_png(files / "disc.png", disc);
     for (const std::string& name : {preset("drops"), preset("chalked"), std::string("brush")}) {
         SCOPED_TRACE(name);
-        PictureScene scene(context(), {160, 120});
+        PictureScene scene(context(), {480, 360});
         scene.show({.file = (files / "disc.png").string()});
         apply_style(scene.world(), scene.app().types(), find_style(scene.app().types(), name));
-        EXPECT_GT(ink(scene), 0.5 * 250) << "of a circle of 250 pixels";
+        EXPECT_GT(ink(scene), 0.5 * 750) << "of a circle of 750 pixels";
     }
 }
 
