@@ -76,7 +76,7 @@ Geometry geometry_of(test::FeatureScene& scene, RenderContext& render) {
     return made;
 }
 
-double timed(const auto& work) {
+double timed_job(const auto& work) {
     gpu::gl().Finish();
     const double start = now_ms();
     work();
@@ -108,13 +108,13 @@ double report_features(Report& report, gpu::Context& context, const std::filesys
     for (int i = -1; i < (quick ? 1 : 9); ++i) {
         const double times[] = {
             // Two passes of nine fetches each.
-            0.5 * timed([&] {
+            0.5 * timed_job([&] {
                 WidenJob{4, floor[0], floor[1], floor[2], whole}.run(render);
             }),
-            timed([&] {
+            timed_job([&] {
                 SlopeJob{.depth_buffer = depth, .normals = geometry.normals, .rect = rect, .to = slopes}.run(render);
             }),
-            timed([&] { SlopeDiffusionJob{10, 1, slopes, diffused, scratch, rect, depth}.run(render); }), timed([&] {
+            timed_job([&] { SlopeDiffusionJob{10, 1, slopes, diffused, scratch, rect, depth}.run(render); }), timed_job([&] {
                 FeatureDataJob{.feature = BrushFeature::valleys,
                                .slopes = diffused,
                                .scratch = scratch,
@@ -123,7 +123,7 @@ double report_features(Report& report, gpu::Context& context, const std::filesys
                                .depth_buffer = depth}
                     .run(render);
             }),
-            timed([&] {
+            timed_job([&] {
                 FeatureProfileJob{.taps = 4,
                                   .fits = 3,
                                   .least_height = 0.2f,
