@@ -13,6 +13,17 @@ float agreement_at(sampler2D found, ivec2 there, vec2 offset, vec2 across, float
     return 1.0 - smoothstep(agreed, apart, abs(dot(vec2(there) + seen.xy - offset, across)));
 }
 
+// Where lines cross, the pixel at the middle of one may see the other: then those further along it are asked.
+float agreement_along(sampler2D found, ivec2 there, vec2 offset, vec2 across, float side) {
+    float result = agreement_at(found, there, offset, across, side);
+    vec2 along = vec2(-across.y, across.x);
+    for (float way = 2.0; way <= 4.0 && result < 1.0; way += 2.0)
+        for (float turn = -1.0; turn <= 1.0; turn += 2.0)
+            result = max(result, agreement_at(found, there + ivec2(round(turn * way * along)),
+                                              offset + turn * way * along, across, side));
+    return result;
+}
+
 // `line`: from the pixel to the line's middle, px; signed curvature; opacity along it. Half of a line along an outline is
 // hidden by what lies before it: then the pixel before its middle speaks for it.
 float agreement(sampler2D found, vec4 line) {
@@ -20,8 +31,8 @@ float agreement(sampler2D found, vec4 line) {
     ivec2 there = ivec2(floor(offset + 0.5));
     if (line.w <= 0.0 || there == ivec2(0)) return 1.0;
     vec2 across = normalize(offset);
-    float result = agreement_at(found, there, offset, across, line.z);
+    float result = agreement_along(found, there, offset, across, line.z);
     if (result >= 0.0) return result;
     there = ivec2(floor(offset - 0.6 * across + 0.5));
-    return there == ivec2(0) ? 1.0 : max(agreement_at(found, there, offset, across, line.z), 0.0);
+    return there == ivec2(0) ? 1.0 : max(agreement_along(found, there, offset, across, line.z), 0.0);
 }
