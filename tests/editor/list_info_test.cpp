@@ -68,7 +68,7 @@ TEST(List, MarkdownIsForComponents) {
 
 TEST(List, Aovs) {
     const std::vector<std::string> lines = list("aovs");
-    EXPECT_EQ(lines.size(), 22u);
+    EXPECT_EQ(lines.size(), 24u);
     EXPECT_NE(line_of(lines, "velocity").find("velocity.X velocity.Y"), std::string::npos);
     EXPECT_NE(line_of(lines, "depth").find(" Z "), std::string::npos);
     EXPECT_NE(line_of(lines, "color").find("R G B"), std::string::npos);
