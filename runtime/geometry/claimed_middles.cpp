@@ -7,7 +7,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_claim = std::numeric_limits<std::uint32_t>::max();
 
 /// What is fainter is not seen, and neither is a line by pixels at its very rim.
 constexpr float least_opacity = 0.03f, rim = 0.1f;
@@ -34,7 +34,7 @@ void ClaimedMiddles::fill(const RidgeImage& image, float sign) {
     height_ = image.height;
     found_.clear();
     starts_.assign(image.points.size() + 1, 0);
-    claim_of_.assign(image.points.size(), none);
+    claim_of_.assign(image.points.size(), no_claim);
     for (std::size_t i = 0; i < image.points.size(); ++i) {
         const glm::vec4 &point = image.points[i], &direction = image.directions[i];
         const glm::vec2 offset(point), tangent(direction);
@@ -74,7 +74,7 @@ std::optional<glm::vec2> ClaimedMiddles::nearest(glm::vec2 place, std::uint32_t 
         for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v)
             for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
                 const std::uint32_t other = claim_of_[index_of(u, v)];
-                if (other == none || claims_[other].owner != owner) continue;
+                if (other == no_claim || claims_[other].owner != owner) continue;
                 if (glm::distance(claims_[other].place, claim.place) > longest_link) continue;
                 take(nearest_on(claim.place, claims_[other].place, place));
             }

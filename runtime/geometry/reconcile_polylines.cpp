@@ -12,7 +12,7 @@
 namespace hachure::geometry {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_middle = std::numeric_limits<std::uint32_t>::max();
 
 /// Lines are looked at this often, pixels.
 constexpr float spacing = 0.5f;
@@ -135,7 +135,7 @@ LinePoint ReconcilePolylinesJob::shown_at(const ClaimedMiddle& claim) const {
 /// Of the middles ahead that are on no line yet the one that the line goes on to.
 std::uint32_t ReconcilePolylinesJob::next_claim(const ClaimedMiddle& from, glm::vec2 ahead) const {
     const std::span<const ClaimedMiddle> claims = middles.claims();
-    std::uint32_t best = none;
+    std::uint32_t best = no_middle;
     float least = std::numeric_limits<float>::max();
     middles.each_near(from.place, longest_step, [&](std::uint32_t i) {
         const ClaimedMiddle& claim = claims[i];
@@ -157,7 +157,7 @@ void ReconcilePolylinesJob::walk_from(std::uint32_t claim, glm::vec2 ahead) {
     const std::span<const ClaimedMiddle> claims = middles.claims();
     for (std::uint32_t at = claim;;) {
         const std::uint32_t next = next_claim(claims[at], ahead);
-        if (next == none) return;
+        if (next == no_middle) return;
         mark_along(claims[at].place, claims[next].place, claims[at].owner);
         on_line[next] = 1;
         walk.push_back(shown_at(claims[next]));
