@@ -204,7 +204,9 @@ void select_brushes(PlacedBrushes brushes, Query<const Children> branches, Query
                     const View& view, FrameRequests& requests, BrushFrame& frame, LineLayer& layer) {
     const auto quality = qualities.find(view.camera);
     frame = {.quality = quality ? std::get<const FeatureImage&>(*quality) : FeatureImage{}};
-    BrushSelection(branches, canvases_of(list, pictures, view), view, frame).run(painters_of(brushes, cameras, view));
+    const std::vector<Painter> painters = painters_of(brushes, cameras, view);
+    if (!painters.empty()) // frames without brushes allocate nothing for them
+        BrushSelection(branches, canvases_of(list, pictures, view), view, frame).run(painters);
     add_requested(view, requests, frame);
     request_feature_sources(list, pictures, frame.features, requests);
     if (!std::ranges::all_of(frame.draws, &BrushDraw::everywhere)) requests.textures.insert("object_id");
