@@ -27,6 +27,7 @@ const float tolerance = 0.5;
 struct Sight {
     float metres; // from the eye's plane; 0 where there is nothing
     vec2 slope;   // of the relief along the picture's axes, px per px, unbounded
+    bool outside; // of the picture: nobody knows what is there, so nothing breaks off
 };
 
 // From the eye through a pixel's centre: to depth 1.
@@ -77,6 +78,7 @@ Sight sight_at(ivec2 pixel, float metres) {
     Sight s;
     vec3 n = metres > 0.0 ? normal_at(pixel) : vec3(0.0);
     s.metres = n != vec3(0.0) ? metres : 0.0;
+    s.outside = !is_inside(pixel);
     s.slope = n.xy / min(dot(n, ray_through(vec2(pixel) + 0.5)), -1e-4);
     return s;
 }
@@ -88,6 +90,7 @@ float share_of(float jump) { return jump * jump / (jump * jump + half_break * ha
 // depths before and behind, which know of facets: all of a smooth surface lies between the least and the greatest of
 // them (mean value theorem).
 float break_between(Sight here, Sight there, int axis, float before, float after) {
+    if (here.outside || there.outside) return 0.0;
     if (here.metres <= 0.0 || there.metres <= 0.0) return sign(there.metres - here.metres);
     float gain = gain_between(here.metres, there.metres);
     float by_here = gain_along(here.slope[axis]), by_there = -gain_along(-there.slope[axis]);
