@@ -9,11 +9,16 @@ namespace {
 
 constexpr std::uint32_t no_claim = std::numeric_limits<std::uint32_t>::max();
 
-/// What is fainter is not seen, and neither is a line by pixels at its very rim.
-constexpr float least_opacity = 0.03f, rim = 0.1f;
+/// What is fainter is not seen.
+constexpr float least_opacity = 0.03f;
 
 /// Lines narrower than pixels are drawn by those that they pass through, pixels.
-constexpr float least_reach = 0.5f;
+constexpr float least_reach = 0.6f;
+
+/// How much a pixel draws of a line, whatever part of the width fades: over its outermost pixel a line may be faint.
+float drawn_opacity(float opacity, float away, float width) {
+    return opacity * std::clamp(std::max(0.5f * width, least_reach) - away, 0.0f, 1.0f);
+}
 
 glm::vec2 nearest_on(glm::vec2 a, glm::vec2 b, glm::vec2 place) {
     const glm::vec2 step = b - a;
@@ -38,10 +43,9 @@ void ClaimedMiddles::fill(const RidgeImage& image, float sign) {
     for (std::size_t i = 0; i < image.points.size(); ++i) {
         const glm::vec4 &point = image.points[i], &direction = image.directions[i];
         const glm::vec2 offset(point), tangent(direction);
-        if (image.owners[i] == 0 || !(point.w >= least_opacity) || !(point.z * sign > 0.0f)) continue;
-        if (!(glm::length(offset) <= std::max(0.5f * direction.z - rim, least_reach)) ||
-            !(glm::dot(tangent, tangent) > 0.5f))
-            continue;
+        if (image.owners[i] == 0 || !(point.z * sign > 0.0f)) continue;
+        if (!(drawn_opacity(point.w, glm::length(offset), direction.z) >= least_opacity)) continue;
+        if (!(glm::dot(tangent, tangent) > 0.5f)) continue;
         const glm::vec2 middle(static_cast<float>(i % static_cast<std::size_t>(width_)) + 0.5f,
                                static_cast<float>(i / static_cast<std::size_t>(width_)) + 0.5f);
         found_.push_back({middle + offset, glm::normalize(tangent), direction.z, glm::length(offset), point.w,

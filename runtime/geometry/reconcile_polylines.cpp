@@ -24,6 +24,9 @@ constexpr float longest_move = 1.25f;
 /// pixels are that see one line (trace_ridges.cpp).
 constexpr float shortest_step = 0.5f, longest_step = 1.5f, least_cosine = 0.64f;
 
+/// A line as faint as that does not show what pixels claim strongly.
+constexpr float faint = 0.1f;
+
 /// What one pixel alone claims is a dot: its round ends are as long as the pixel. Half the length between them, pixels.
 constexpr float half_dot = 0.05f;
 
@@ -204,8 +207,10 @@ void ReconcilePolylinesJob::run() {
         reconciled.lines.push_back(same);
     }
     for (const Polyline& line : reconciled.lines)
-        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
-            mark_along(reconciled.points[i - 1].place, reconciled.points[i].place, line.owner);
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
+            const LinePoint &a = reconciled.points[i - 1], &b = reconciled.points[i];
+            if (std::min(a.opacity, b.opacity) >= faint) mark_along(a.place, b.place, line.owner);
+        }
     for (std::uint32_t i = 0; i < on_line.size(); ++i) {
         const ClaimedMiddle& claim = middles.claims()[i];
         if (!on_line[i] && claim.opacity >= strong && applies(claim.owner)) add_line_through(i);
