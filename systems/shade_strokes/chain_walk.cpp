@@ -162,16 +162,23 @@ void ChainWalk::finish_piece(std::uint32_t next) {
     passed_.clear();
 }
 
+/// How far the middle of the patch between two nodes is off the surface at a node between them, across the surface.
+double ChainWalk::off_surface(const ShadeNode& between, const ShadeNode& from, const ShadeNode& to) const {
+    double off = 0.0;
+    for (std::size_t k = 0; k < rib_points; ++k) {
+        const WalkTriangle triangle(mesh_.sheets, mesh_.sheets.triangle_of[between.rib[k].triangle]);
+        const glm::dvec3 patch = 0.5 * (mesh_.at(from.rib[k]) + mesh_.at(to.rib[k]));
+        off = std::max(off, std::abs(glm::dot(mesh_.at(between.rib[k]) - patch, triangle.normal)));
+    }
+    return off;
+}
+
 /// Lays a segment between two nodes, or two where the patch between their ribs would leave the surface.
 void ChainWalk::lay(std::uint32_t from, double begin, std::uint32_t to, double end, int depth) {
     const double middle = 0.5 * (begin + end);
     if (depth < most_halvings && end - begin > 4.0 * least_length * mesh_.cell_side) {
         const ShadeNode node = node_at(on_way(middle));
-        double off = 0.0;
-        for (std::size_t k = 0; k < rib_points; ++k) {
-            const glm::dvec3 patch = 0.5 * (mesh_.at(chains_.nodes[from].rib[k]) + mesh_.at(chains_.nodes[to].rib[k]));
-            off = std::max(off, glm::distance(mesh_.at(node.rib[k]), patch));
-        }
+        const double off = off_surface(node, chains_.nodes[from], chains_.nodes[to]);
         if (off > settings_.rib_deviation * mesh_.size) {
             const std::uint32_t between = chains_.nodes.take(node);
             lay(from, begin, between, middle, depth + 1);

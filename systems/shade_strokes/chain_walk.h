@@ -44,6 +44,7 @@ private:
     [[nodiscard]] ShadeNode node_at(const Passed& passed) const;
     /// Ends the piece that is under way at node `next`, or when that is `no_slot` at a new one.
     void finish_piece(std::uint32_t next);
+    [[nodiscard]] double off_surface(const ShadeNode& between, const ShadeNode& from, const ShadeNode& to) const;
     void lay(std::uint32_t from, double begin, std::uint32_t to, double end, int depth);
     void shade_piece();
     [[nodiscard]] std::uint32_t meeting(std::uint32_t cell, const geometry::WalkPlace& place,

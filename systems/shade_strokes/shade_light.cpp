@@ -12,7 +12,13 @@
 namespace hachure {
 namespace {
 
-constexpr std::size_t block = 256; // cells that a thread takes at a time
+constexpr std::size_t block = 1024; // samples or cells that a thread takes at a time
+
+/// Calls `body(first, end)` for blocks of `count`, on several threads.
+template <class Body> void each_block(std::size_t count, const Body& body) {
+    parallel_for((count + block - 1) / block,
+                 [&](std::size_t b) { body(b * block, std::min(count, (b + 1) * block)); });
+}
 
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -71,8 +77,8 @@ float need_of(const ShadeTone& tone, float light) {
     return tone.contrast == 1.0f ? dark : std::pow(dark, tone.contrast);
 }
 
-/// The light at a point of the deformed surface.
-float light_at(const ShadeLightJob& job, const SurfacePoint& point, const glm::mat3& normal_matrix) {
+/// A point of the deformed surface in the world.
+ShadeLightJob::Sample sample_at(const ShadeLightJob& job, const SurfacePoint& point, const glm::mat3& normal_matrix) {
     const std::uint32_t* corner = &job.indices[3 * std::size_t{point.triangle}];
     const glm::vec3 &a = job.positions[corner[0]], &b = job.positions[corner[1]], &c = job.positions[corner[2]];
     const float w = 1.0f - point.u - point.v;
@@ -80,17 +86,26 @@ float light_at(const ShadeLightJob& job, const SurfacePoint& point, const glm::m
     const glm::vec3 normal = job.normals.empty() ? glm::cross(b - a, c - a)
                                                  : w * job.normals[corner[0]] + point.u * job.normals[corner[1]] +
                                                        point.v * job.normals[corner[2]];
-    const float light =
-        diffuse(job, glm::vec3(job.world_from_mesh * glm::vec4(place, 1.0f)), unit(normal_matrix * unit(normal)));
-    return std::isfinite(light) ? light : 0.0f;
+    return {glm::vec3(job.world_from_mesh * glm::vec4(place, 1.0f)), unit(normal_matrix * unit(normal))};
 }
 
-void sweep_cells(const ShadeLightJob& job, std::size_t first, std::size_t end, const glm::mat3& normal_matrix) {
+void gather_samples(ShadeLightJob& job) {
+    const std::vector<ShadeSample>& points = job.mesh->samples;
+    const glm::mat3 normal_matrix = glm::transpose(glm::inverse(glm::mat3(job.world_from_mesh)));
+    job.samples.resize(points.size());
+    each_block(points.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) job.samples[i] = sample_at(job, points[i].point, normal_matrix);
+    });
+}
+
+void sweep_cells(const ShadeLightJob& job, std::size_t first, std::size_t end) {
     const ShadeMesh& mesh = *job.mesh;
     for (std::size_t c = first; c < end; ++c) {
         float need = 0.0f;
-        for (std::size_t i = mesh.first_sample[c]; i < mesh.first_sample[c + 1]; ++i)
-            need += mesh.samples[i].weight * need_of(job.tone, light_at(job, mesh.samples[i].point, normal_matrix));
+        for (std::size_t i = mesh.first_sample[c]; i < mesh.first_sample[c + 1]; ++i) {
+            const float light = diffuse(job, job.samples[i].place, job.samples[i].normal);
+            need += mesh.samples[i].weight * need_of(job.tone, std::isfinite(light) ? light : 0.0f);
+        }
         job.needed[c] = std::clamp(need, 0.0f, 1.0f) * (job.paint.empty() ? 1.0f : job.paint[c]);
     }
 }
@@ -117,11 +132,9 @@ void ShadeLightJob::run() {
     now.version = version;
     swept = !(now == last);
     if (!swept) return;
-    const glm::mat3 normal_matrix = glm::transpose(glm::inverse(glm::mat3(world_from_mesh)));
-    const std::size_t count = needed.size();
-    parallel_for((count + block - 1) / block, [&](std::size_t b) {
-        sweep_cells(*this, b * block, std::min(count, (b + 1) * block), normal_matrix);
-    });
+    if (now.mesh != last.mesh || now.version != last.version || now.world_from_mesh != last.world_from_mesh)
+        gather_samples(*this);
+    each_block(needed.size(), [this](std::size_t first, std::size_t end) { sweep_cells(*this, first, end); });
     std::swap(now, last);
 }
 

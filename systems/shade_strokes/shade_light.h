@@ -58,6 +58,10 @@ struct ShadeLightJob {
         friend bool operator==(const Inputs&, const Inputs&) = default;
     };
     Inputs now{}, last{};
+    struct Sample {
+        glm::vec3 place, normal; ///< in the world; the normal is unit, or 0
+    };
+    std::vector<Sample> samples{}; ///< per sample of the mesh: gathered anew when the surface moves, not when lights do
 };
 
 } // namespace hachure
