@@ -11,6 +11,7 @@ namespace {
 
 constexpr double flatness = 1e-6;       // height over the longest edge
 constexpr double on_line = 1e-9;        // of a triangle's part: nearer to a line is on it
+constexpr double parallel = 1e-6;       // of the fastest weight: a slower one runs along a line (directions are floats)
 constexpr std::uint32_t most_flat = 64; // triangles without an area that are passed over in a row
 constexpr std::uint32_t most_steps = 65536, most_idle = 16;
 
@@ -81,11 +82,12 @@ WalkStep walk_step(const WalkTriangle& triangle, const glm::dvec3& weight, const
                    std::uint32_t parts) {
     const glm::dvec3 rates = triangle.rates(direction);
     const double n = parts;
+    const double slowest = parallel * std::max({std::abs(rates[0]), std::abs(rates[1]), std::abs(rates[2])});
     WalkStep step{weight, most, WalkStep::inside};
     int line = -1; // the corner whose weight meets a line first, and that line
     double at = 0.0;
     for (int k = 0; k < 3; ++k) {
-        if (rates[k] == 0.0) continue;
+        if (std::abs(rates[k]) <= slowest) continue;
         const double x = weight[k] * n;
         const double target =
             rates[k] < 0.0 ? std::max(std::ceil(x - on_line) - 1.0, 0.0) : std::min(std::floor(x + on_line) + 1.0, n);
@@ -147,7 +149,7 @@ double walk_straight(const SurfaceSheets& sheets, WalkPlace& place, glm::dvec3& 
         place.weight = step.weight;
         done += step.length;
         idle = step.length > 0.0 ? 0 : idle + 1;
-        if (step.edge == WalkStep::inside) return done;
+        if (step.edge == WalkStep::inside) return length; // exactly, whatever the sum of steps has lost
         std::uint32_t edge = step.edge;
         if (!cross_edge(sheets, place, edge, direction)) return done;
     }

@@ -20,7 +20,7 @@ constexpr double least_piece = 0.15;   // of a cell's side: a shorter one counts
 constexpr double least_length = 0.01;  // of a cell's side: there is no shorter segment
 constexpr double idle_length = 1e-6;   // over the model's size: a step that gets nowhere
 constexpr double least_kink = 0.5;     // cosine: a chain does not go on around sharper corners
-constexpr double join_distance = 0.3;  // over the amplitude
+constexpr double join_bend = 0.05;     // how far aside of the walk an end may lie, over the length of the last segment
 constexpr double join_cosine = 0.9;    // 25 degrees
 constexpr double least_pressure = 0.6; // of the pen, at alpha 1
 constexpr int most_halvings = 3;
@@ -213,7 +213,7 @@ std::uint32_t ChainWalk::meeting(std::uint32_t cell, const WalkPlace& place, con
             side_ == ChainSide::end ? chains_.links[s].previous == no_slot : chains_.links[s].next == no_slot;
         if (!open || segment.chain == chain_) continue;
         const ShadeNode& node = chains_.nodes[side_ == ChainSide::end ? segment.from : segment.to];
-        if (glm::distance(mesh_.at(node.rib[2]), here) > join_distance * node.amplitude) continue;
+        if (glm::distance(mesh_.at(node.rib[2]), here) > join_bend * length_) continue;
         const glm::dvec3 run =
             mesh_.at(chains_.nodes[segment.to].rib[2]) - mesh_.at(chains_.nodes[segment.from].rib[2]);
         if (!(glm::dot(run, along) > join_cosine * glm::length(run))) continue;

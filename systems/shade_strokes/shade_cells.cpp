@@ -16,7 +16,7 @@ namespace {
 using geometry::SurfaceSheets;
 
 constexpr std::uint32_t most_parts = 128; // of a triangle's edges
-constexpr double atom_length = 1.5;       // longest edge of an atom, over the side of a cell
+constexpr double atom_length = 0.75;      // longest edge of an atom, over the side of a cell
 constexpr double most_atoms = 8.0e6;      // beyond one per triangle
 constexpr double feature_cosine = 0.77;   // 40 degrees
 constexpr double least_part = 0.35;       // of a cell's area: a smaller first guess seeds no cell

@@ -17,9 +17,10 @@ using geometry::SheetMetric;
 using geometry::SurfaceSheets;
 
 constexpr int direction_sweeps = 24, curvature_sweeps = 3;
-constexpr float follow = 4.0f;    // how much a sure direction counts against those around it
-constexpr float fallback = 1e-4f; // and the default
-constexpr double flat = 0.5;      // curvature that counts as none, times the model's size
+constexpr float follow = 1.5f;          // how much a sure direction counts against those around it
+constexpr float fallback = 1e-4f;       // and the default
+constexpr double flat = 0.5;            // curvature that counts as none, times the model's size
+constexpr float least_agreement = 0.7f; // cosine between a given normal and that of the triangles
 constexpr std::size_t block = 8192;
 
 template <class Body> void each_vertex(std::size_t count, const Body& body) {
@@ -34,10 +35,21 @@ struct Curvatures {
     std::vector<glm::vec3> directions;
 };
 
-Curvatures computed(const SurfaceSheets& sheets, const SheetMetric& metric) {
+/// The given normals, which know the surface better than triangles do, where they are sound.
+std::vector<glm::vec3> normals_of(const SurfaceSheets& sheets, const SheetMetric& metric,
+                                  std::span<const glm::vec3> given, std::span<const std::uint32_t> indices) {
+    std::vector<glm::vec3> normals(metric.normal.begin(), metric.normal.end());
+    for (std::size_t v = 0; !given.empty() && v < normals.size(); ++v) {
+        const std::uint32_t h = sheets.out[v];
+        const glm::vec3& normal = given[indices[3 * sheets.face[h / 3] + h % 3]];
+        if (glm::dot(normal, normals[v]) > least_agreement) normals[v] = normal;
+    }
+    return normals;
+}
+
+Curvatures computed(const SurfaceSheets& sheets, std::span<const glm::vec3> normals) {
     const std::size_t count = sheets.positions.size();
     const std::vector<glm::vec3> positions(sheets.positions.begin(), sheets.positions.end());
-    const std::vector<glm::vec3> normals(metric.normal.begin(), metric.normal.end());
     std::vector<std::uint32_t> indices, weld(count);
     for (const auto& t : sheets.triangles) indices.insert(indices.end(), t.begin(), t.end());
     std::iota(weld.begin(), weld.end(), 0u);
@@ -142,10 +154,10 @@ std::vector<float> smooth_curvature(const SurfaceSheets& sheets, const Curvature
 } // namespace
 
 ShadeDirections shade_directions(const SurfaceSheets& sheets, const SheetMetric& metric,
-                                 std::span<const std::uint32_t> indices, std::span<const glm::vec2> curvatures,
-                                 std::span<const glm::vec3> directions) {
-    const Curvatures own =
-        curvatures.empty() ? computed(sheets, metric) : taken(sheets, indices, curvatures, directions);
+                                 std::span<const std::uint32_t> indices, std::span<const glm::vec3> normals,
+                                 std::span<const glm::vec2> curvatures, std::span<const glm::vec3> directions) {
+    const Curvatures own = curvatures.empty() ? computed(sheets, normals_of(sheets, metric, normals, indices))
+                                              : taken(sheets, indices, curvatures, directions);
     const std::vector<Complex> lines = smooth_lines(sheets, metric, wishes(metric, own));
     ShadeDirections result{.along = {}, .curvature = smooth_curvature(sheets, own)};
     result.along.resize(lines.size());

@@ -79,7 +79,8 @@ ShadeMesh make_shade_mesh(const ShadeMeshInput& input) {
     mesh.sheets = geometry::cut_into_sheets(input.positions, input.normals, input.indices, crease_angle);
     const geometry::SheetMetric metric(mesh.sheets);
     mesh.size = static_cast<float>(metric.size);
-    mesh.directions = shade_directions(mesh.sheets, metric, input.indices, input.curvatures, input.directions);
+    mesh.directions =
+        shade_directions(mesh.sheets, metric, input.indices, input.normals, input.curvatures, input.directions);
     mesh.cells = make_shade_cells(mesh.sheets, metric.area, input.cells);
     const double total = std::accumulate(metric.area.begin(), metric.area.end(), 0.0);
     const double side = std::sqrt(total / static_cast<double>(std::max<std::size_t>(1, mesh.cell_count())));

@@ -86,32 +86,46 @@ bool ShadeUpdateJob::differs(std::uint32_t cell) const {
     return !(difference > 0.0f && state.unmet >= 0.0f && need <= state.unmet + settings.dead_band);
 }
 
-/// Takes as much alpha from every segment; those that fade out go.
+/// Takes as much alpha from every segment, from ends of chains first: so chains shrink from their ends, and are split
+/// only where nothing else is left. Those that fade out go.
 void ShadeUpdateJob::weaken(ChainEditor& editor, std::uint32_t cell) {
-    open.clear();
-    for (std::uint32_t s = chains->cells[cell].first; s != no_slot; s = chains->links[s].cell_next) open.push_back(s);
     double excess = needed[cell] <= 0.0f ? std::numeric_limits<double>::max() : -double{missing(cell)};
     for (int round = 0; round < most_rounds && excess > 1e-6; ++round) {
-        double shade = 0.0;
-        for (const std::uint32_t s : open)
-            if (chains->segments[s].alpha > 0.0f) shade += chains->links[s].shade;
-        if (!(shade > 0.0)) break;
-        const double total_alpha = excess / shade;
+        const double shade = list_fading(cell);
+        if (open.empty()) break;
+        const double total_alpha = excess / std::max(shade, 1e-12);
         for (const std::uint32_t s : open) {
             const double alpha = chains->segments[s].alpha, taken = std::min(alpha, total_alpha);
-            editor.set_alpha(s, static_cast<float>(alpha - taken));
             excess -= taken * chains->links[s].shade;
+            editor.set_alpha(s, static_cast<float>(alpha - taken));
+            if (chains->segments[s].alpha <= faded) remove(editor, s);
         }
     }
-    for (const std::uint32_t s : open) {
-        if (chains->segments[s].alpha > faded) continue;
-        const ShadeSegment& gone = chains->segments[s];
-        const glm::dvec3 run = mesh->at(chains->nodes[gone.to].rib[2]) - mesh->at(chains->nodes[gone.from].rib[2]);
-        const double length = glm::length(run);
-        editor.remove(s, length > 0.0 ? glm::vec3(run / length) : glm::vec3(0.0f));
-        ++stats.removed;
-    }
     editor.refresh(cell);
+}
+
+/// Lists the segments of a cell at ends of chains, or when there are none all; returns what they deliver at alpha 1.
+double ShadeUpdateJob::list_fading(std::uint32_t cell) {
+    double shade = 0.0;
+    for (const bool ends_alone : {true, false}) {
+        open.clear();
+        for (std::uint32_t s = chains->cells[cell].first; s != no_slot; s = chains->links[s].cell_next) {
+            const ShadeSegmentLinks& links = chains->links[s];
+            if (ends_alone && links.previous != no_slot && links.next != no_slot) continue;
+            open.push_back(s);
+            shade += links.shade;
+        }
+        if (!open.empty()) break;
+    }
+    return shade;
+}
+
+void ShadeUpdateJob::remove(ChainEditor& editor, std::uint32_t segment) {
+    const ShadeSegment& gone = chains->segments[segment];
+    const glm::dvec3 run = mesh->at(chains->nodes[gone.to].rib[2]) - mesh->at(chains->nodes[gone.from].rib[2]);
+    const double length = glm::length(run);
+    editor.remove(segment, length > 0.0 ? glm::vec3(run / length) : glm::vec3(0.0f));
+    ++stats.removed;
 }
 
 /// Gives as much alpha to every segment, as far as their pens can.

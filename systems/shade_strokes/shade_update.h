@@ -60,6 +60,8 @@ private:
     void start_over();
     [[nodiscard]] bool differs(std::uint32_t cell) const;
     void weaken(ChainEditor& editor, std::uint32_t cell);
+    [[nodiscard]] double list_fading(std::uint32_t cell);
+    void remove(ChainEditor& editor, std::uint32_t segment);
     void strengthen(ChainEditor& editor, std::uint32_t cell);
     void extend(ChainWalk& walk, std::uint32_t cell);
     void begin_chains(ChainWalk& walk, std::uint32_t cell);

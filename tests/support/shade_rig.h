@@ -106,7 +106,7 @@ public:
             }
         }
         for (const float cell : mesh_.cells.area) area += cell;
-        return sum * update.settings.density / area;
+        return area > 0.0 ? sum * update.settings.density / area : 0.0;
     }
 
     ShadeLightJob light;
