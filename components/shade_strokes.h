@@ -26,20 +26,20 @@ enum class ShadePaintChannel { red, green, blue, alpha };
 /// Sketchy strokes where a surface is dark, which follow the light (Sorman & Hult 2005). Lengths are over the size of
 /// the model, the diagonal of its bounds, so that they suit it whatever its units.
 struct ShadeStrokes {
-    float amplitude = 0.012f;
+    float amplitude = 0.008f;
     float amplitude_by_curvature = 0.7f;
-    float min_amplitude = 0.003f;
-    float max_amplitude = 0.03f;
+    float min_amplitude = 0.002f;
+    float max_amplitude = 0.02f;
     float intensity = 1.0f;
     float density = 0.8f;
-    float chain_turn = 1.2f;
-    float trueness = 0.85f;
+    float chain_turn = 1.6f;
+    float trueness = 0.9f;
     float line_width = 1.2f;
     float full_shade = 0.0f;
     float no_shade = 0.85f;
     float contrast = 1.0f;
     float dead_band = 0.04f;
-    std::uint32_t cells = 6000;
+    std::uint32_t cells = 4000;
     std::uint32_t seed = 1;
     ShadeTip tip = ShadeTip::pencil;
     glm::vec3 color{0.05f};

@@ -16,9 +16,10 @@ using Complex = std::complex<float>;
 using geometry::SheetMetric;
 using geometry::SurfaceSheets;
 
-constexpr int direction_sweeps = 24, curvature_sweeps = 3;
-constexpr float follow = 1.5f;          // how much a sure direction counts against those around it
-constexpr float fallback = 1e-4f;       // and the default
+constexpr int least_sweeps = 16, most_sweeps = 64, curvature_sweeps = 3;
+constexpr double detail = 0.03; // over the model's size: directions of smaller features give way to those around
+constexpr double least_follow = 0.01, most_follow = 1.5;
+constexpr float fallback = 1e-4f;       // how much the default counts
 constexpr double flat = 0.5;            // curvature that counts as none, times the model's size
 constexpr float least_agreement = 0.7f; // cosine between a given normal and that of the triangles
 constexpr std::size_t block = 8192;
@@ -103,15 +104,27 @@ Wishes wishes(const SheetMetric& metric, const Curvatures& curvatures) {
     return result;
 }
 
+/// How much a sure direction counts against those around it: the balance is at features of the length `detail`, in
+/// edges of the mesh, so that the field does not depend on how fine that is.
+float follow_of(const SheetMetric& metric) {
+    double sum = 0.0;
+    for (const double length : metric.length) sum += length;
+    const double edge = sum / static_cast<double>(std::max<std::size_t>(1, metric.length.size()));
+    const double ratio = edge / (detail * metric.size);
+    return static_cast<float>(std::clamp(ratio * ratio, least_follow, most_follow));
+}
+
 /// Lines that differ little from their neighbours' and from what is wanted: sweeps of Jacobi's method.
 std::vector<Complex> smooth_lines(const SurfaceSheets& sheets, const SheetMetric& metric, const Wishes& wish) {
     const std::size_t count = sheets.positions.size();
     std::vector<Complex> turn(sheets.opposite.size()), lines(count), next(count);
+    const float follow = follow_of(metric);
+    const int sweeps = std::clamp(static_cast<int>(1.0f / follow), least_sweeps, most_sweeps);
     each_vertex(turn.size(), [&](std::uint32_t h) { turn[h] = Complex(std::polar(1.0, -2.0 * metric.transport(h))); });
     each_vertex(count, [&](std::uint32_t v) {
-        lines[v] = unit_or(follow * wish.wanted[v] + 0.1f * wish.otherwise[v], wish.otherwise[v]);
+        lines[v] = unit_or(wish.wanted[v] + 0.1f * wish.otherwise[v], wish.otherwise[v]);
     });
-    for (int sweep = 0; sweep < direction_sweeps; ++sweep) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
         each_vertex(count, [&](std::uint32_t v) {
             Complex sum(0.0f);
             float weights = 0.0f;

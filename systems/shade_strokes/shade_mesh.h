@@ -23,7 +23,7 @@ struct ShadeMeshInput {
     std::span<const std::uint32_t> indices;  ///< 3 per triangle, in range
     std::span<const glm::vec2> curvatures{}; ///< per vertex: k1, k2 with |k1| >= |k2|, 1/metre; or none: computed
     std::span<const glm::vec3> directions{}; ///< per vertex: unit tangent of k1; or none
-    std::uint32_t cells = 6000;              ///< about how many cells to divide the surface into
+    std::uint32_t cells = 4000;              ///< about how many cells to divide the surface into
 };
 
 /// Where the light on a cell is looked at.

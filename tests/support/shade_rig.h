@@ -29,7 +29,7 @@ struct ShadeError {
 /// A mesh with the jobs that keep its strokes.
 class ShadeRig {
 public:
-    explicit ShadeRig(geometry::Shape shape, std::uint32_t cells = 6000, ShadeSettings settings = {})
+    explicit ShadeRig(geometry::Shape shape, std::uint32_t cells = 4000, ShadeSettings settings = {})
         : shape_(std::move(shape)),
           mesh_(make_shade_mesh(
               {.positions = shape_.positions, .normals = shape_.normals, .indices = shape_.indices, .cells = cells})),

@@ -200,7 +200,7 @@ TEST(ShadeChainTest, AmplitudeFollowsTheRadiusOfCurvature) {
     };
     // amplitude * radius / (size / 4), by the formula of shade_ribs.h
     const double size = std::sqrt(3.0) * 10.1; // about: the bounds from -1 to 9.1
-    EXPECT_NEAR(amplitude(1.0), 0.012 * 4.0 / size, 0.05 * 0.012 * 4.0 / size);
+    EXPECT_NEAR(amplitude(1.0), 0.008 * 4.0 / size, 0.05 * 0.008 * 4.0 / size);
     EXPECT_NEAR(amplitude(1.0) / amplitude(0.5), 2.0 * 9.6 / 10.1, 0.1);
 }
 
