@@ -64,74 +64,91 @@ bool ChainWalk::extend(std::uint32_t chain, ChainSide side) {
     return walk(chain, side, place, triangle.tangent(glm::dvec3(end.heading)), tip);
 }
 
-bool ChainWalk::walk(std::uint32_t chain, ChainSide side, WalkPlace place, glm::dvec3 heading, std::uint32_t tip) {
+bool ChainWalk::walk(std::uint32_t chain, ChainSide side, const WalkPlace& place, const glm::dvec3& heading,
+                     std::uint32_t tip) {
     chain_ = chain;
+    own_ = chains_.chains[chain];
     side_ = side;
+    sign_ = side == ChainSide::end ? 1.0 : -1.0;
     tip_ = tip;
     cell_ = no_slot;
-    sign_ = side == ChainSide::end ? 1.0 : -1.0;
-    length_ = 0.0;
+    place_ = place;
+    heading_ = heading;
+    entered_ = WalkStep::inside;
+    start_ = chains_.nodes[tip].along;
+    length_ = walked_ = 0.0;
     passed_.clear();
-    const ShadeChain own = chains_.chains[chain];
-    const std::uint32_t first_tip = tip;
-    const double start = chains_.nodes[tip].along, least_cosine = std::cos(0.5 * settings_.chain_turn);
-    double walked = 0.0;
-    std::uint32_t entered = WalkStep::inside, idle = 0;
+    std::uint32_t idle = 0;
     for (std::uint32_t i = 0; i < most_steps && idle < most_idle; ++i) {
-        const WalkTriangle triangle(mesh_.sheets, place.triangle);
-        if (glm::dot(triangle.normal, glm::dvec3(own.normal)) < least_cosine) break;
-        glm::dvec3 direction =
-            chain_direction(mesh_, triangle, place, heading, settings_.trueness, own.random, start + sign_ * walked);
-        if (entered != WalkStep::inside) direction = mirrored_inside(triangle, entered, direction);
-        if (sign_ * glm::dot(direction, glm::dvec3(own.general)) < 0.0) break;
-        if (walked > 0.0 && glm::dot(direction, heading) < least_kink) break;
+        const WalkTriangle triangle(mesh_.sheets, place_.triangle);
+        if (!aim(triangle)) break;
         const WalkStep step =
-            geometry::walk_step(triangle, place.weight, direction, mesh_.size, mesh_.cells.parts[place.triangle]);
+            geometry::walk_step(triangle, place_.weight, heading_, mesh_.size, mesh_.cells.parts[place_.triangle]);
         ++steps;
-        heading = direction;
         idle = step.length > idle_length * mesh_.size ? 0 : idle + 1;
         if (idle == 0) {
-            const std::uint32_t cell = mesh_.cells.cell_at(place.triangle, 0.5 * (place.weight + step.weight));
-            if (cell != cell_) {
-                const bool open = wants(cell);
-                if (cell_ != no_slot && (!open || length_ > least_piece * mesh_.cell_side)) {
-                    passed_.push_back({place, direction, length_});
-                    if (const std::uint32_t other = meeting(cell, place, direction); other != no_slot) {
-                        finish_piece(
-                            editor_.outer_node(other, side == ChainSide::end ? ChainSide::begin : ChainSide::end));
-                        if (side == ChainSide::end)
-                            editor_.join(chain, other);
-                        else
-                            editor_.join(other, chain);
-                        ++joined;
-                        return true;
-                    }
-                    finish_piece(no_slot);
-                }
-                if (!open) {
-                    if (tip_ != no_slot && chains_.chains[chain].first != no_slot)
-                        editor_.wait(chain, side, cell, glm::vec3(heading));
-                    return tip_ != first_tip;
-                }
-                cell_ = cell;
-            }
-            passed_.push_back({place, direction, length_});
+            if (!enter(mesh_.cells.cell_at(place_.triangle, 0.5 * (place_.weight + step.weight)))) return tip_ != tip;
+            passed_.push_back({place_, heading_, length_});
         }
-        length_ += step.length;
-        walked += step.length;
-        place.weight = step.weight;
-        entered = WalkStep::inside;
-        if (step.edge == WalkStep::inside) continue;
-        std::uint32_t edge = step.edge;
-        if (!geometry::cross_edge(mesh_.sheets, place, edge, heading)) break;
-        entered = edge;
+        if (!advance(step)) break;
     }
     if (cell_ != no_slot && length_ > 0.0) {
-        const WalkTriangle triangle(mesh_.sheets, place.triangle);
-        passed_.push_back({place, triangle.tangent(heading), length_});
+        passed_.push_back({place_, WalkTriangle(mesh_.sheets, place_.triangle).tangent(heading_), length_});
         finish_piece(no_slot);
     }
-    return tip_ != first_tip;
+    return tip_ != tip;
+}
+
+/// Turns where the chain wants to run from here; false where it ends.
+bool ChainWalk::aim(const WalkTriangle& triangle) {
+    if (glm::dot(triangle.normal, glm::dvec3(own_.normal)) < std::cos(0.5 * settings_.chain_turn)) return false;
+    glm::dvec3 direction =
+        chain_direction(mesh_, triangle, place_, heading_, settings_.trueness, own_.random, start_ + sign_ * walked_);
+    if (entered_ != WalkStep::inside) direction = mirrored_inside(triangle, entered_, direction);
+    if (sign_ * glm::dot(direction, glm::dvec3(own_.general)) < 0.0) return false;
+    if (walked_ > 0.0 && glm::dot(direction, heading_) < least_kink) return false;
+    heading_ = direction;
+    return true;
+}
+
+/// Goes on into a cell; false where the walk ends before it.
+bool ChainWalk::enter(std::uint32_t cell) {
+    if (cell == cell_) return true;
+    const bool open = wants(cell);
+    if (cell_ != no_slot && (!open || length_ > least_piece * mesh_.cell_side)) {
+        passed_.push_back({place_, heading_, length_});
+        if (join_in(cell)) return false;
+        finish_piece(no_slot);
+    }
+    if (open)
+        cell_ = cell;
+    else if (chains_.chains[chain_].first != no_slot)
+        editor_.wait(chain_, side_, cell, glm::vec3(heading_));
+    return open;
+}
+
+/// To the end of a step and over the edge there; false where the sheet ends.
+bool ChainWalk::advance(const WalkStep& step) {
+    length_ += step.length;
+    walked_ += step.length;
+    place_.weight = step.weight;
+    entered_ = WalkStep::inside;
+    if (step.edge == WalkStep::inside) return true;
+    std::uint32_t edge = step.edge;
+    if (!geometry::cross_edge(mesh_.sheets, place_, edge, heading_)) return false;
+    entered_ = edge;
+    return true;
+}
+
+/// Ends the piece that is under way at the open end of a chain in a cell, when there is one, and joins both chains.
+bool ChainWalk::join_in(std::uint32_t cell) {
+    const std::uint32_t other = meeting(cell);
+    if (other == no_slot) return false;
+    const bool at_end = side_ == ChainSide::end;
+    finish_piece(editor_.outer_node(other, at_end ? ChainSide::begin : ChainSide::end));
+    editor_.join(at_end ? chain_ : other, at_end ? other : chain_);
+    ++joined;
+    return true;
 }
 
 ChainWalk::Passed ChainWalk::on_way(double length) const {
@@ -203,10 +220,8 @@ void ChainWalk::shade_piece() {
 }
 
 /// The chain in a cell whose open end the walk has come to, running the same way; or `no_slot`.
-std::uint32_t ChainWalk::meeting(std::uint32_t cell, const WalkPlace& place, const glm::dvec3& heading) const {
-    const WalkTriangle triangle(mesh_.sheets, place.triangle);
-    const glm::dvec3 here = triangle.at(place.weight), along = sign_ * heading;
-    const ShadeChain& own = chains_.chains[chain_];
+std::uint32_t ChainWalk::meeting(std::uint32_t cell) const {
+    const glm::dvec3 here = WalkTriangle(mesh_.sheets, place_.triangle).at(place_.weight), along = sign_ * heading_;
     for (std::uint32_t s = chains_.cells[cell].first; s != no_slot; s = chains_.links[s].cell_next) {
         const ShadeSegment& segment = chains_.segments[s];
         const bool open =
@@ -218,8 +233,8 @@ std::uint32_t ChainWalk::meeting(std::uint32_t cell, const WalkPlace& place, con
             mesh_.at(chains_.nodes[segment.to].rib[2]) - mesh_.at(chains_.nodes[segment.from].rib[2]);
         if (!(glm::dot(run, along) > join_cosine * glm::length(run))) continue;
         const ShadeChain& other = chains_.chains[segment.chain];
-        if (glm::dot(own.normal, other.normal) < std::cos(0.5f * settings_.chain_turn)) continue;
-        if (glm::dot(own.general, other.general) < 0.5f) continue;
+        if (glm::dot(own_.normal, other.normal) < std::cos(0.5f * settings_.chain_turn)) continue;
+        if (glm::dot(own_.general, other.general) < 0.5f) continue;
         return segment.chain;
     }
     return no_slot;

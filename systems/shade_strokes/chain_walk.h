@@ -39,7 +39,12 @@ private:
         double length;        ///< from the last node to here
     };
 
-    bool walk(std::uint32_t chain, ChainSide side, geometry::WalkPlace place, glm::dvec3 heading, std::uint32_t tip);
+    bool walk(std::uint32_t chain, ChainSide side, const geometry::WalkPlace& place, const glm::dvec3& heading,
+              std::uint32_t tip);
+    bool aim(const geometry::WalkTriangle& triangle);
+    bool enter(std::uint32_t cell);
+    bool advance(const geometry::WalkStep& step);
+    bool join_in(std::uint32_t cell);
     [[nodiscard]] Passed on_way(double length) const;
     [[nodiscard]] ShadeNode node_at(const Passed& passed) const;
     /// Ends the piece that is under way at node `next`, or when that is `no_slot` at a new one.
@@ -47,8 +52,7 @@ private:
     [[nodiscard]] double off_surface(const ShadeNode& between, const ShadeNode& from, const ShadeNode& to) const;
     void lay(std::uint32_t from, double begin, std::uint32_t to, double end, int depth);
     void shade_piece();
-    [[nodiscard]] std::uint32_t meeting(std::uint32_t cell, const geometry::WalkPlace& place,
-                                        const glm::dvec3& heading) const;
+    [[nodiscard]] std::uint32_t meeting(std::uint32_t cell) const;
 
     const ShadeMesh& mesh_;
     const ShadeSettings& settings_;
@@ -58,11 +62,16 @@ private:
 
     // The walk under way.
     std::uint32_t chain_ = no_slot, tip_ = no_slot, cell_ = no_slot;
+    ShadeChain own_{}; ///< the chain, as it was when the walk began
     ChainSide side_ = ChainSide::end;
-    double sign_ = 1.0;                ///< of the walk along the chain: 1 towards its end
-    double length_ = 0.0;              ///< since the last node
-    std::vector<Passed> passed_;       ///< since the last node
-    std::vector<std::uint32_t> fresh_; ///< segments of the piece that is being laid
+    double sign_ = 1.0; ///< of the walk along the chain: 1 towards its end
+    geometry::WalkPlace place_{};
+    glm::dvec3 heading_{0.0};
+    std::uint32_t entered_ = geometry::WalkStep::inside; ///< the edge that was come over to here
+    double start_ = 0.0;                                 ///< where the walk began along the chain
+    double length_ = 0.0, walked_ = 0.0;                 ///< since the last node, and since the walk began
+    std::vector<Passed> passed_;                         ///< since the last node
+    std::vector<std::uint32_t> fresh_;                   ///< segments of the piece that is being laid
 };
 
 } // namespace hachure

@@ -22,11 +22,12 @@ constexpr double least_follow = 0.01, most_follow = 1.5;
 constexpr float fallback = 1e-4f;       // how much the default counts
 constexpr double flat = 0.5;            // curvature that counts as none, times the model's size
 constexpr float least_agreement = 0.7f; // cosine between a given normal and that of the triangles
-constexpr std::size_t block = 8192;
+constexpr std::size_t vertex_block = 8192;
 
 template <class Body> void each_vertex(std::size_t count, const Body& body) {
-    parallel_for((count + block - 1) / block, [&](std::size_t b) {
-        for (std::size_t v = b * block; v < std::min(count, (b + 1) * block); ++v) body(static_cast<std::uint32_t>(v));
+    parallel_for((count + vertex_block - 1) / vertex_block, [&](std::size_t b) {
+        for (std::size_t v = b * vertex_block; v < std::min(count, (b + 1) * vertex_block); ++v)
+            body(static_cast<std::uint32_t>(v));
     });
 }
 

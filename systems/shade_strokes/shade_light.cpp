@@ -12,12 +12,12 @@
 namespace hachure {
 namespace {
 
-constexpr std::size_t block = 1024; // samples or cells that a thread takes at a time
+constexpr std::size_t light_block = 1024; // samples or cells that a thread takes at a time
 
 /// Calls `body(first, end)` for blocks of `count`, on several threads.
 template <class Body> void each_block(std::size_t count, const Body& body) {
-    parallel_for((count + block - 1) / block,
-                 [&](std::size_t b) { body(b * block, std::min(count, (b + 1) * block)); });
+    parallel_for((count + light_block - 1) / light_block,
+                 [&](std::size_t b) { body(b * light_block, std::min(count, (b + 1) * light_block)); });
 }
 
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }

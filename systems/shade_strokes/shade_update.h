@@ -31,7 +31,7 @@ struct ShadeUpdateStats {
 /// reads it). Needed shade is compared with delivered shade, so that slow changes add up until they are noticed; what
 /// differs by no more than the dead band stays, but where nothing is needed nothing stays. Where more is needed,
 /// strokes get stronger, then chains that wait at the cell go on into it, then new ones are begun; where less, they get
-/// weaker, and those that fade out go, which may split a chain. Ends that meet are joined.
+/// weaker, ends of chains first, and those that fade out go, which may split a chain. Ends that meet are joined.
 ///
 /// The result is a function of mesh, settings and the sequence of needs since the chains were empty, bit for bit. The
 /// cost is that of the cells touched, besides one comparison per cell.
