@@ -1,7 +1,6 @@
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/assets/atomic_file.h>
 #include <hachure/runtime/assets/exr_pixels.h>
-#include <hachure/runtime/assets/file_bytes.h>
 #include <hachure/runtime/assets/image_file.h>
 #include <hachure/runtime/assets/image_input.h>
 #include <hachure/runtime/assets/orientation.h>
@@ -12,8 +11,6 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <memory>
 
 namespace hachure::assets {
@@ -30,13 +27,6 @@ Image decode(OIIO::ImageInput& input, const std::string& name) {
     if (!input.read_image(0, 0, 0, channels, type, image.pixels.data()))
         throw Error(name, "can't be decoded: " + image_fault(input.geterror(), name));
     return image;
-}
-
-bool starts_as_png(const std::filesystem::path& path) {
-    std::array<std::byte, 8> start{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(reinterpret_cast<char*>(start.data()), start.size());
-    return file && is_png(start);
 }
 
 std::vector<std::byte> encode(const char* format, const OIIO::ImageSpec& spec, const Image& image,
@@ -56,8 +46,6 @@ std::vector<std::byte> encode(const char* format, const OIIO::ImageSpec& spec, c
 } // namespace
 
 Image read_image(const std::filesystem::path& path) {
-    check_image_file(path);
-    if (starts_as_png(path)) return read_image_memory(path.string(), read_file_bytes(path));
     return decode(*open_image(path), path.string());
 }
 

@@ -1,10 +1,14 @@
+#include <hachure/runtime/assets/file_bytes.h>
 #include <hachure/runtime/assets/image_input.h>
 #include <hachure/runtime/assets/orientation.h>
+#include <hachure/runtime/assets/png_check.h>
 #include <hachure/runtime/error.h>
 
 #include <OpenImageIO/filesystem.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <string_view>
 
 namespace hachure::assets {
@@ -21,15 +25,23 @@ void check_area(std::int64_t width, std::int64_t height, const std::string& name
         throw Error(name, "is too large: " + std::to_string(width) + "x" + std::to_string(height));
 }
 
-} // namespace
-
 void check_image_file(const std::filesystem::path& path) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) throw Error(path.string(), "is not a file that can be read");
 }
 
+bool starts_as_png(const std::filesystem::path& path) {
+    std::array<std::byte, 8> start{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(reinterpret_cast<char*>(start.data()), start.size());
+    return file && is_png(start);
+}
+
+} // namespace
+
 std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& path) {
     check_image_file(path);
+    if (starts_as_png(path)) check_png(path.string(), read_file_bytes(path));
     const OIIO::ImageSpec config = keep_colors();
     auto input = OIIO::ImageInput::open(path.string(), &config);
     if (!input) throw Error(path.string(), image_fault(OIIO::geterror(), path.string()));

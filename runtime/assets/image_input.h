@@ -11,11 +11,9 @@
 /// OpenImageIO's end of reading images: what the readers of this folder share. Not for users of the folder.
 namespace hachure::assets {
 
-/// Throws Error where there is no file.
-void check_image_file(const std::filesystem::path& path);
-
 /// A file opened at its first part, with colours as it has them: OpenImageIO multiplies those of PNG files by alpha
-/// unless told otherwise, which darkens what textures show where alpha is low, and is lossy. Throws Error.
+/// unless told otherwise, which darkens what textures show where alpha is low, and is lossy. PNG files are checked first
+/// (png_check.h). Throws Error, also where there is no file.
 [[nodiscard]] std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& path);
 
 /// The same from memory; see read_image_memory. `memory` must outlive the result.

@@ -52,8 +52,8 @@ void declare_overlay(World& world, RenderContext& render) {
             data.layer = pass.read(graph.find("line_layer"));
             data.color = pass.write(graph.find("color"));
             graph.publish("color", data.color);
-            pass.depends_on(rect.x, rect.y, rect.width, rect.height, render.shaders->generation());
-            pass.covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
+            pass.depends_on(render.shaders->generation());
+            pass.draws_in(rect);
         },
         [&render, rect](const OverlayPass& data, gpu::PassContext& pass) {
             const gpu::TextureDesc& desc = pass.desc(data.color);

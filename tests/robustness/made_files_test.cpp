@@ -1,3 +1,4 @@
+#include <hachure/runtime/assets/image_file.h>
 #include <hachure/tests/robustness/watched.h>
 #include <hachure/tests/support/glb_file.h>
 #include <hachure/tests/support/temp_folder.h>
@@ -46,6 +47,13 @@ TEST(MadeFiles, TruncatedGlb) {
 TEST(MadeFiles, TruncatedGltf) {
     const std::string whole = triangle_json();
     for (std::size_t part = 0; part < 16; ++part) expect_refused("cut.gltf", whole.substr(0, whole.size() * part / 16));
+}
+
+TEST(MadeFiles, TruncatedPng) {
+    const TempFolder folder;
+    assets::write_png(folder / "whole.png", assets::make_image(9, 7, 4, assets::PixelType::u8));
+    const std::string whole = file_text(folder / "whole.png");
+    for (std::size_t part = 0; part < 16; ++part) expect_refused("cut.png", whole.substr(0, whole.size() * part / 16));
 }
 
 TEST(MadeFiles, AccessorBeyondItsBuffer) {
