@@ -20,8 +20,8 @@ struct Walker {
 /// Component of the light that goes round the sky in a circle: from the east (+X) over the south (+Z) to the west, and
 /// below the ground back to the east.
 struct Sun {
-    double at = 0.7;                ///< angle since its rise, radians; pi is its setting
-    double day_seconds = 24.0;      ///< how long a day and a night last
+    double at = 0.7;                    ///< angle since its rise, radians; pi is its setting
+    double day_seconds = 24.0;          ///< how long a day and a night last
     static constexpr float lean = 0.6f; ///< of its circle away from upright, radians
 };
 

@@ -12,15 +12,17 @@ Toon paper(const glm::vec3& color) { return {.light = color, .shade = color, .ra
 
 Look pencil() {
     constexpr glm::vec3 white(1.0f);
-    return {"pencil", {.line_width = 1.3f, .tip = ShadeTip::pencil, .color = {0.05f, 0.05f, 0.06f}}, paper(white), white};
+    return {
+        "pencil", {.line_width = 1.3f, .tip = ShadeTip::pencil, .color = {0.05f, 0.05f, 0.06f}}, paper(white), white};
 }
 
 Look ink() {
     constexpr glm::vec3 cream(0.93f, 0.88f, 0.76f);
-    return {"ink",
-            {.amplitude = 0.006f, .line_width = 1.0f, .tip = ShadeTip::ink, .color = {0.0f, 0.01f, 0.06f}, .opacity = 1.0f},
-            paper(cream),
-            cream};
+    return {
+        "ink",
+        {.amplitude = 0.006f, .line_width = 1.0f, .tip = ShadeTip::ink, .color = {0.0f, 0.01f, 0.06f}, .opacity = 1.0f},
+        paper(cream),
+        cream};
 }
 
 /// Strokes over tones of their own: the model is drawn under them.

@@ -3,10 +3,10 @@
 #include <hachure/components/shade_strokes.h>
 #include <hachure/components/toon.h>
 
+#include <glm/vec3.hpp>
+
 #include <span>
 #include <string_view>
-
-#include <glm/vec3.hpp>
 
 namespace sun_walk {
 

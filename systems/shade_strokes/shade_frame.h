@@ -2,7 +2,7 @@
 
 #include <hachure/components/shade_strokes.h>
 #include <hachure/runtime/ecs/entity.h>
-#include <hachure/runtime/gpu/framebuffer.h>
+#include <hachure/runtime/gpu/rect.h>
 #include <hachure/systems/shade_strokes/shade_chains.h>
 #include <hachure/systems/shade_strokes/shade_mesh.h>
 
