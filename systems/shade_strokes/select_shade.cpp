@@ -44,6 +44,7 @@ void SelectShade::operator()(Query<const ShadeStrokes> styled, Removed<ShadeStro
     counts = {};
     frame.surfaces.clear();
     needs.surfaces.clear();
+    needs.key = 0;
     frame.time = static_cast<float>(time.elapsed);
     frame.rect = {};
     frame.key = 0;

@@ -243,6 +243,14 @@ public:
             scene.renderer().skip_frame(1.0 / 12.0);
     }
 
+    struct Frame {
+        std::vector<std::byte> picture, delivered;
+        friend bool operator==(const Frame&, const Frame&) = default;
+    };
+    [[nodiscard]] Frame frame() {
+        return {scene.renderer().read_picture().pixels, scene.renderer().read_aov("shade_delivered").pixels};
+    }
+
     DrawnScene scene;
     Entity surface;
 
@@ -270,31 +278,27 @@ TEST_P(ShadeWorldTest, StartedInTheMiddleFramesAreTheSame) {
     for (int i = 0; i < 7; ++i) whole.step(true);
     for (int i = 0; i < 6; ++i) late.step(false);
     late.step(true);
-    EXPECT_EQ(whole.scene.renderer().read_picture().pixels, late.scene.renderer().read_picture().pixels);
-    EXPECT_EQ(whole.scene.renderer().read_aov("shade_delivered").pixels,
-              late.scene.renderer().read_aov("shade_delivered").pixels);
+    EXPECT_TRUE(whole.frame() == late.frame());
     // Not so when they are left out: strokes depend on how the light came.
     BendingArm jumped(context());
     jumped.step(true);
-    EXPECT_NE(jumped.scene.renderer().read_aov("shade_delivered").pixels,
-              whole.scene.renderer().read_aov("shade_delivered").pixels);
+    EXPECT_FALSE(jumped.frame() == whole.frame());
 }
 
 TEST_P(ShadeWorldTest, ThreadsGiveTheSameFrames) {
     const auto frames = [&](int threads) {
         const ThreadLimit limit(threads);
         BendingArm arm(context());
-        std::vector<std::vector<std::byte>> result;
+        std::vector<BendingArm::Frame> result;
         for (int i = 0; i < 5; ++i) {
             arm.step(true);
-            result.push_back(arm.scene.renderer().read_picture().pixels);
-            result.push_back(arm.scene.renderer().read_aov("shade_delivered").pixels);
+            result.push_back(arm.frame());
         }
         return result;
     };
     const auto one = frames(1);
-    EXPECT_EQ(one, frames(2));
-    EXPECT_NE(one.front(), one[one.size() - 2]) << "frames that show nothing compare nothing";
+    EXPECT_TRUE(one == frames(2));
+    EXPECT_FALSE(one.front().picture == one.back().picture) << "frames that show nothing compare nothing";
 }
 
 HACHURE_INSTANTIATE_GL_TESTS(ShadeWorldTest);
