@@ -81,7 +81,9 @@ void ShadeAovs::declare_cells(World& world, const char* name, Value value) {
             target.clear_color(0, no_shade_value);
             render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
             render.backend->texture(pass.texture(data.depth_buffer)).bind(0);
-            for (std::size_t i = 0; i < world.resource<ShadeFrame>().surfaces.size(); ++i) draw(world, i, value);
+            const std::size_t surfaces = world.resource<ShadeFrame>().surfaces.size();
+            buffers_[static_cast<std::size_t>(value)].resize(surfaces);
+            for (std::size_t i = 0; i < surfaces; ++i) draw(world, i, value);
         });
 }
 
@@ -123,28 +125,30 @@ void ShadeAovs::upload(World& world, std::size_t surface, Value value) {
     shade_scratch_.assign(needs.needed.begin(), needs.needed.end());
     if (value == Value::delivered)
         for (std::size_t c = 0; c < shade_scratch_.size(); ++c) shade_scratch_[c] = shaded.chains->cells[c].delivered;
-    fill_buffer(corners_, std::span<const glm::vec3>(corner_scratch_), "shade corners");
-    fill_buffer(triangles_, std::span<const glm::uvec2>(triangle_scratch_), "shade triangles");
-    fill_buffer(cells_, std::span<const std::uint32_t>(cells.cell_of_atom), "shade cells");
-    fill_buffer(shade_, std::span<const float>(shade_scratch_), "shade of cells");
+    Buffers& to = buffers(surface, value);
+    fill_buffer(to.corners, std::span<const glm::vec3>(corner_scratch_), "shade corners");
+    fill_buffer(to.triangles, std::span<const glm::uvec2>(triangle_scratch_), "shade triangles");
+    fill_buffer(to.cells, std::span<const std::uint32_t>(cells.cell_of_atom), "shade cells");
+    fill_buffer(to.shade, std::span<const float>(shade_scratch_), "shade of cells");
+    to.vertex_array = gpu::VertexArray("shade corners");
+    to.vertex_array.set_attribute({.location = 0, .components = 3});
+    to.vertex_array.set_vertex_buffer(0, to.corners, sizeof(glm::vec3));
 }
 
 void ShadeAovs::draw(World& world, std::size_t surface, Value value) {
     const ShadeSurface& shaded = world.resource<ShadeFrame>().surfaces[surface];
     if (shaded.mesh->cell_count() == 0) return;
     upload(world, surface, value);
-    vertex_array_ = gpu::VertexArray("shade corners");
-    vertex_array_.set_attribute({.location = 0, .components = 3});
-    vertex_array_.set_vertex_buffer(0, corners_, sizeof(glm::vec3));
-    triangles_.bind_base(gpu::BufferBinding::storage, 0);
-    cells_.bind_base(gpu::BufferBinding::storage, 1);
-    shade_.bind_base(gpu::BufferBinding::storage, 2);
+    const Buffers& from = buffers(surface, value);
+    from.triangles.bind_base(gpu::BufferBinding::storage, 0);
+    from.cells.bind_base(gpu::BufferBinding::storage, 1);
+    from.shade.bind_base(gpu::BufferBinding::storage, 2);
     RenderContext& render = world.resource_mutable<RenderContext>();
     gpu::Program& program = render.shaders->program(
         {.vertex = "shade_strokes/cell_shade.vert", .fragment = "shade_strokes/cell_shade.frag"});
     program.set("world_from_entity", shaded.world_from_mesh);
     program.use();
-    vertex_array_.bind();
+    from.vertex_array.bind();
     gpu::gl().DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corner_scratch_.size()));
 }
 

@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -45,8 +47,16 @@ private:
     void draw(World& world, std::size_t surface, Value value);
     void upload(World& world, std::size_t surface, Value value);
 
-    gpu::Buffer corners_, triangles_, cells_, shade_;
-    gpu::VertexArray vertex_array_;
+    /// Of its own for each surface and value: a driver may read a buffer after the call that draws with it.
+    struct Buffers {
+        gpu::Buffer corners, triangles, cells, shade;
+        gpu::VertexArray vertex_array;
+    };
+    [[nodiscard]] Buffers& buffers(std::size_t surface, Value value) {
+        return buffers_[static_cast<std::size_t>(value)][surface];
+    }
+
+    std::array<std::vector<Buffers>, 2> buffers_; ///< by value, by surface
     std::vector<glm::vec3> corner_scratch_;
     std::vector<glm::uvec2> triangle_scratch_;
     std::vector<float> shade_scratch_;

@@ -1,6 +1,7 @@
 #include <hachure/runtime/app/app.h>
 #include <hachure/systems/shade_strokes/select_shade.h>
 #include <hachure/systems/shade_strokes/shade_aovs.h>
+#include <hachure/systems/shade_strokes/shade_passes.h>
 #include <hachure/systems/shade_strokes/shade_strokes.h>
 
 #include <memory>
@@ -30,9 +31,10 @@ void register_shade_strokes(App& app) {
         .after("abstracted_lines.select")
         .after("implicit_brush.select");
     app.add_system(Stage::render, "shade_strokes.pass",
-                   [aovs = std::make_shared<ShadeAovs>()](World& world_of_frame) {
-                       request_shade_sources(world_of_frame.resource_mutable<FrameRequests>());
-                       aovs->declare(world_of_frame);
+                   [passes = std::make_shared<ShadePasses>(), aovs = std::make_shared<ShadeAovs>()](World& drawn) {
+                       request_shade_sources(drawn.resource_mutable<FrameRequests>());
+                       passes->declare(drawn);
+                       aovs->declare(drawn);
                    })
         .after("surface.passes")
         .after("picture.pass")
