@@ -42,7 +42,9 @@ bool ChainWalk::begin(const WalkPlace& place, std::uint64_t random) {
     const double pressure = least_pressure + (1.0 - least_pressure) * shade_uniform(random, ShadePurpose::pressure, 0);
     const std::uint32_t chain =
         editor_.begin_chain(random, glm::vec3(heading), glm::vec3(triangle.normal), static_cast<float>(pressure));
-    const std::uint32_t start = chains_.nodes.take(make_shade_node(mesh_, settings_, place, heading, 0.0));
+    ShadeNode first = make_shade_node(mesh_, settings_, place, heading, 0.0);
+    first.random = static_cast<std::uint32_t>(random >> 32);
+    const std::uint32_t start = chains_.nodes.take(first);
     bool any = walk(chain, ChainSide::end, place, heading, start);
     // The walk may have joined another chain, whose begin stays this one's.
     any = walk(chain, ChainSide::begin, place, -heading, start) || any;
@@ -164,8 +166,11 @@ ChainWalk::Passed ChainWalk::on_way(double length) const {
 }
 
 ShadeNode ChainWalk::node_at(const Passed& passed) const {
-    const double along = chains_.nodes[tip_].along + sign_ * passed.length;
-    return make_shade_node(mesh_, settings_, passed.place, sign_ * passed.direction, along);
+    const ShadeNode& tip = chains_.nodes[tip_];
+    const double along = tip.along + sign_ * passed.length;
+    ShadeNode node = make_shade_node(mesh_, settings_, passed.place, sign_ * passed.direction, along);
+    node.random = tip.random;
+    return node;
 }
 
 void ChainWalk::finish_piece(std::uint32_t next) {

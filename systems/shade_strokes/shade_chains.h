@@ -28,6 +28,7 @@ struct ShadeNode {
     /// Length of the chain from where it was begun, in the mesh's units; negative before that. It rises along a chain,
     /// but for segments that joined two chains: each part keeps its own count, so that its strokes stay as they are.
     float along;
+    std::uint32_t random; ///< the same for all nodes that were laid one from another: which zigzag they share
 };
 
 /// A piece of a chain, within one cell. Dead slots have `cell == no_slot` and alpha 0.
