@@ -1,4 +1,4 @@
-#include "lay_figure.h"
+#include <hachure/samples/common/lay_figure.h>
 
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace hill_walk {
+namespace samples {
 namespace {
 
 using namespace hachure;
@@ -233,4 +233,4 @@ assets::Model lay_figure(const Build& build) {
     return model;
 }
 
-} // namespace hill_walk
+} // namespace samples
