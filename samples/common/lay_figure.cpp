@@ -79,8 +79,10 @@ public:
             }
         for (std::uint32_t ring = 0; ring < rings; ++ring)
             for (std::uint32_t side = 0; side < sides; ++side) {
+                // Rings at both ends are points.
                 const std::uint32_t a = first + ring * sides + side, b = first + ring * sides + (side + 1) % sides;
-                mesh_.indices.insert(mesh_.indices.end(), {a, a + sides, b, b, a + sides, b + sides});
+                if (ring > 0) mesh_.indices.insert(mesh_.indices.end(), {a, a + sides, b});
+                if (ring + 1 < rings) mesh_.indices.insert(mesh_.indices.end(), {b, a + sides, b + sides});
             }
     }
 

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "dunes.h"
 #include "looks.h"
@@ -66,6 +67,13 @@ void shine(Query<Transform, Sun> suns, const Moving& moving, const Time& time) {
     }
 }
 
+/// Amplitudes are over a model's size: the dunes' is that of many figures.
+ShadeStrokes on_ground(ShadeStrokes strokes) {
+    for (float* length : {&strokes.amplitude, &strokes.min_amplitude, &strokes.max_amplitude}) *length *= 0.35f;
+    strokes.cells = 8000;
+    return strokes;
+}
+
 bool walks(const std::string& clip) {
     std::string lower = clip;
     std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -90,10 +98,7 @@ Day::Day(App& app, const std::string& file, Canvas canvas) : world_(app.world())
     wear(0);
 }
 
-void Day::add_ground() {
-    const SpawnedModel model = spawn_model(world_, dunes_model());
-    surfaces_.insert(surfaces_.end(), model.surfaces.begin(), model.surfaces.end());
-}
+void Day::add_ground() { ground_ = spawn_model(world_, dunes_model()).surfaces; }
 
 void Day::add_figure(const std::string& file) {
     const samples::Build build{figure_height, 1.1f};
@@ -109,12 +114,12 @@ void Day::add_figure(const std::string& file) {
     transform.scale = glm::vec3(file.empty() ? 1.0f : figure_height / height_of(model.points));
     place(transform, walker);
     world_.add(figure_, walker);
-    surfaces_.insert(surfaces_.end(), model.surfaces.begin(), model.surfaces.end());
+    body_ = std::move(model.surfaces);
 }
 
 void Day::add_view(Canvas canvas) {
     world_.set_resource(canvas);
-    const glm::vec3 eye(0.6f, 3.2f, 9.5f), middle(0.3f, 0.75f, 0.6f);
+    const glm::vec3 eye(0.5f, 3.6f, 8.6f), middle(0.1f, 0.55f, 0.3f);
     camera_ = world_.create_with(
         Transform{.translation = eye, .rotation = glm::quatLookAt(glm::normalize(middle - eye), glm::vec3(0, 1, 0))},
         Camera{.yfov = 0.5f, .znear = 0.2f}, Compose{});
@@ -125,11 +130,12 @@ void Day::add_view(Canvas canvas) {
 void Day::wear(std::size_t look) {
     look_ = look % looks().size();
     const Look& worn = looks()[look_];
-    for (const Entity surface : surfaces_) {
-        world_.add(surface, worn.strokes);
-        world_.add(surface, worn.tones);
-        world_.add(surface, EdgeLines{.width = 1.2f, .color = worn.strokes.color});
-    }
+    for (const std::vector<Entity>* part : {&ground_, &body_})
+        for (const Entity surface : *part) {
+            world_.add(surface, part == &ground_ ? on_ground(worn.strokes) : worn.strokes);
+            world_.add(surface, worn.tones);
+            world_.add(surface, EdgeLines{.width = 1.2f, .color = worn.strokes.color});
+        }
     world_.get_mutable<Compose>(camera_).background = worn.background;
 }
 

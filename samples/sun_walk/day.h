@@ -51,7 +51,7 @@ private:
 
     hachure::World& world_;
     hachure::Entity camera_, figure_, sun_;
-    std::vector<hachure::Entity> surfaces_;
+    std::vector<hachure::Entity> ground_, body_; ///< what carries surfaces
     std::size_t look_ = 0;
 };
 

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hachure::test {
@@ -122,6 +123,27 @@ TEST_P(ShadeWorldTest, CellsDivideLargeTriangles) {
         }
     EXPECT_GT(count, 1000);
     EXPECT_LT(off / count, 0.015);
+}
+
+/// Each surface is drawn with the values of its own cells: two beside each other look as each does alone.
+TEST_P(ShadeWorldTest, EachSurfaceShowsItsOwnCells) {
+    const auto draw = [&](bool left, bool right) {
+        ShadedScene shaded(context(), geometry::torus(0.5, 0.2, 48, 24), {.cells = 900});
+        shaded.world().get_mutable<Transform>(shaded.surface).translation = {-0.9f, 0, 0};
+        const Entity other = shaded.scene.add(surface_mesh(geometry::icosphere(0.7, 4)), {.translation = {0.9f, 0, 0}});
+        shaded.world().add(other, ShadeStrokes{.cells = 1700});
+        shaded.world().get_mutable<Surface>(shaded.surface).visible = left;
+        shaded.world().get_mutable<Surface>(other).visible = right;
+        shaded.ask_for({"shade_needed", "shade_delivered"});
+        shaded.scene.renderer().render_frame();
+        return std::pair{shaded.aov("shade_needed"), shaded.aov("shade_delivered")};
+    };
+    const auto both = draw(true, true), left = draw(true, false), right = draw(false, true);
+    EXPECT_GT(std::min(mean_of(left.first), mean_of(right.first)), 0.01);
+    for (int i = 0; i < shade_canvas.width * shade_canvas.height; ++i) {
+        EXPECT_EQ(both.first.f32()[i], left.first.f32()[i] + right.first.f32()[i]);
+        EXPECT_EQ(both.second.f32()[i], left.second.f32()[i] + right.second.f32()[i]);
+    }
 }
 
 TEST_P(ShadeWorldTest, AovsAreEmptyWhereNothingIsShaded) {
