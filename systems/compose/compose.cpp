@@ -146,6 +146,7 @@ void register_compose(App& app) {
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
         .after("implicit_brush.pass")
+        .after("shade_strokes.pass")
         .before("paper.pass");
     app.add_system(Stage::render, "compose.passes", declare_passes)
         .after("compose.blank")
@@ -156,6 +157,7 @@ void register_compose(App& app) {
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
         .after("implicit_brush.pass")
+        .after("shade_strokes.pass")
         .after("paper.pass");
 }
 

@@ -163,7 +163,8 @@ void register_paper(App& app) {
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
         .after("velocity.pass")
-        .after("implicit_brush.pass");
+        .after("implicit_brush.pass")
+        .after("shade_strokes.pass");
 }
 
 } // namespace hachure

@@ -14,22 +14,22 @@
 
 namespace hachure {
 
-/// A surface whose strokes are drawn in this frame.
+/// A surface in view whose shade is drawn. What it points to stands until the next frame.
 struct ShadeSurface {
     Entity entity;
-    std::size_t item = 0; ///< into the DrawList's items
+    std::size_t item = 0; ///< into DrawList::items
     ShadeStrokes style;
     const ShadeMesh* mesh = nullptr;
-    ShadeChains* chains = nullptr; ///< whoever uploads them forgets their changes
+    ShadeChains* chains = nullptr; ///< as the light of this frame needs them; who uploads forgets their changes
     glm::mat4 world_from_mesh{1.0f};
 };
 
-/// The shade strokes of this frame. A resource.
+/// What this frame draws of shade strokes. A resource.
 struct ShadeFrame {
-    std::vector<ShadeSurface> surfaces;
-    float time = 0.0f;     ///< seconds: when flickering strokes jump
-    gpu::Rect rect;        ///< pixels that strokes can touch
-    std::uint64_t key = 0; ///< of all that strokes depend on but the view
+    std::vector<ShadeSurface> surfaces; ///< in the order of the DrawList
+    float time = 0.0f;                  ///< seconds, for strokes that flicker
+    gpu::Rect rect;                     ///< where strokes can be
+    std::uint64_t key = 0;              ///< changes with all that strokes depend on, but not with the view
 };
 
 } // namespace hachure

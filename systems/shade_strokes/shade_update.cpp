@@ -57,8 +57,8 @@ void ShadeUpdateJob::run() {
     stats = {};
     const bool anew = last_mesh != mesh || !(last_settings == settings);
     if (anew) start_over();
-    if (!changed && !anew) return;
     touched_.clear();
+    if (!changed && !anew) return;
     for (const std::uint32_t cell : mesh->order)
         if (differs(cell)) touched_.push_back(cell);
     stats.swept = static_cast<std::uint32_t>(mesh->order.size());

@@ -48,6 +48,9 @@ struct ShadeUpdateJob {
     void validate() const;
     void run();
 
+    /// The cells that the last run strengthened or weakened.
+    [[nodiscard]] std::span<const std::uint32_t> touched() const { return touched_; }
+
     /// Forgets all strokes; the next run begins from nothing.
     void reset();
 
