@@ -7,6 +7,7 @@ const int TABLE_POINTS = 256; // of a zigzag
 // As shade_chains.h has them.
 struct Node {
     uint rib[3 * RIB_POINTS]; // by point: triangle, and the bits of the weights of its corners 1 and 2
+    float bend[2];
     float amplitude;
     float along;
     uint random;

@@ -3,14 +3,15 @@
 #include "shade_strokes/data.glsl"
 #include "shade_strokes/zigzag.glsl"
 
-layout(std430, binding = 2) buffer Ribs { vec4 at[]; } // in the world: RIB_POINTS per node
+// In the world, RIB_POINTS per node; w: which side of the chain the point is on, from -1 to 1.
+layout(std430, binding = 2) buffer Ribs { vec4 at[]; }
 ribs;
 
 vec3 rib_at(uint node, float side) {
-    float x = clamp(2.0 * side + 2.0, 0.0, 4.0);
-    uint k = min(uint(x), 3u);
-    vec3 right = ribs.at[node * RIB_POINTS + k].xyz, left = ribs.at[node * RIB_POINTS + k + 1u].xyz;
-    return mix(right, left, x - float(k));
+    uint first = node * RIB_POINTS + (side < 0.0 ? 0u : 2u);
+    if (side > ribs.at[first + 1u].w) ++first;
+    vec4 right = ribs.at[first], left = ribs.at[first + 1u];
+    return mix(right.xyz, left.xyz, clamp((side - right.w) / (left.w - right.w), 0.0, 1.0));
 }
 
 // side: -1 to 1 from the right to the left; v: 0 to 1 from begin to end.

@@ -29,6 +29,7 @@ void main() {
         float u = uintBitsToFloat(nodes.node[n].rib[3 * k + 1]), v = uintBitsToFloat(nodes.node[n].rib[3 * k + 2]);
         vec3 place = (1.0 - u - v) * vertex(indices.index[3u * triangle]) +
                      u * vertex(indices.index[3u * triangle + 1u]) + v * vertex(indices.index[3u * triangle + 2u]);
-        ribs.at[n * RIB_POINTS + k] = world_from_mesh * vec4(place, 1.0);
+        float side = k == 1 ? nodes.node[n].bend[0] : k == 3 ? nodes.node[n].bend[1] : 0.5 * float(k) - 1.0;
+        ribs.at[n * RIB_POINTS + k] = vec4((world_from_mesh * vec4(place, 1.0)).xyz, side);
     }
 }

@@ -115,7 +115,7 @@ void look_at_patch(uint from, uint to, float margin, out bool outside, out bool 
             high = max(high, at[k]);
         }
         for (int k = 1; k + 1 < RIB_POINTS; ++k)
-            bent = bent || distance(at[k], mix(at[0], at[4], 0.25 * float(k))) > BEND_PIXELS;
+            bent = bent || distance(at[k], mix(at[0], at[4], 0.5 + 0.5 * ribs.at[n * RIB_POINTS + k].w)) > BEND_PIXELS;
     }
     outside = any(lessThan(high, vec2(-margin))) || any(greaterThan(low, viewport + margin));
 }

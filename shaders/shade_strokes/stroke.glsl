@@ -31,10 +31,13 @@ vec3 on_stroke(const Seen seen, const Stroke stroke, float x) {
     return patch_at(seen, mix(stroke.side.x, stroke.side.y, x), mix(stroke.v.x, stroke.v.y, x));
 }
 
-// Point number p of 0 to 4 of a stroke that bends: where it crosses ribs, in the order in which it does.
-float crossing(const Stroke stroke, int p) {
+// Point number p of 0 to 4 of a stroke that bends: where it crosses the lines between rib points, in the order in which
+// it does.
+float crossing(const Seen seen, const Stroke stroke, int p) {
     float away = stroke.side.y - stroke.side.x;
-    if (p == 0 || p == 4 || abs(away) < 1e-4) return 0.25 * float(p);
-    float rib = away > 0.0 ? -1.0 + 0.5 * float(p) : 1.0 - 0.5 * float(p);
-    return clamp((rib - stroke.side.x) / away, 0.0, 1.0);
+    if (p == 0 || p == 4) return 0.25 * float(p);
+    uint k = uint(away > 0.0 ? p : 4 - p);
+    float begin = ribs.at[seen.nodes[0] * RIB_POINTS + k].w, end = ribs.at[seen.nodes[1] * RIB_POINTS + k].w;
+    float line = mix(begin, end, stroke.v.x), turn = (end - begin) * (stroke.v.y - stroke.v.x);
+    return abs(away - turn) < 1e-4 ? 0.25 * float(p) : clamp((line - stroke.side.x) / (away - turn), 0.0, 1.0);
 }

@@ -38,7 +38,7 @@ void main() {
     if (number >= seen.strokes) return; // room in the batch that this segment does not need
 
     Stroke stroke = stroke_of(seen, number);
-    float x = bent ? crossing(stroke, p) : float(p);
+    float x = bent ? crossing(seen, stroke, p) : float(p);
     vec3 from = window(on_stroke(seen, stroke, 0.0)), to = window(on_stroke(seen, stroke, 1.0));
     vec3 here = bent ? window(on_stroke(seen, stroke, x)) : p == 0 ? from : to;
     vec2 along = to.xy - from.xy;

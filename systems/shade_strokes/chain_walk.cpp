@@ -23,7 +23,7 @@ constexpr double least_kink = 0.5;     // cosine: a chain does not go on around 
 constexpr double join_bend = 0.05;     // how far aside of the walk an end may lie, over the length of the last segment
 constexpr double join_cosine = 0.9;    // 25 degrees
 constexpr double least_pressure = 0.6; // of the pen, at alpha 1
-constexpr int most_halvings = 3;
+constexpr int most_divisions = 5;
 constexpr glm::dvec3 downwards{0.31, -0.92, 0.24}; // strokes are begun that way, so that those that meet agree
 
 } // namespace
@@ -184,24 +184,44 @@ void ChainWalk::finish_piece(std::uint32_t next) {
     passed_.clear();
 }
 
-/// How far the middle of the patch between two nodes is off the surface at a node between them, across the surface.
-double ChainWalk::off_surface(const ShadeNode& between, const ShadeNode& from, const ShadeNode& to) const {
+/// How far the patch between two nodes is off the surface, across it, at a node `part` of the way between them.
+double ChainWalk::off_surface(const ShadeNode& between, double part, const ShadeNode& from, const ShadeNode& to) const {
     double off = 0.0;
     for (std::size_t k = 0; k < rib_points; ++k) {
         const WalkTriangle triangle(mesh_.sheets, mesh_.sheets.triangle_of[between.rib[k].triangle]);
-        const glm::dvec3 patch = 0.5 * (mesh_.at(from.rib[k]) + mesh_.at(to.rib[k]));
+        const glm::dvec3 patch = glm::mix(mesh_.at(from.rib[k]), mesh_.at(to.rib[k]), part);
         off = std::max(off, std::abs(glm::dot(mesh_.at(between.rib[k]) - patch, triangle.normal)));
     }
     return off;
 }
 
+/// Where between two lengths the way lies farthest off the straight line between them: where it crosses an edge, or in
+/// the middle where it crosses none, or is straight.
+double ChainWalk::most_bent(double begin, double end) const {
+    const auto at = [&](const Passed& passed) {
+        return WalkTriangle(mesh_.sheets, passed.place.triangle).at(passed.place.weight);
+    };
+    const glm::dvec3 from = at(on_way(begin)), way = at(on_way(end)) - from;
+    const double square = std::max(glm::dot(way, way), 1e-300), margin = 2.0 * least_length * mesh_.cell_side;
+    double most = idle_length * mesh_.size, result = 0.5 * (begin + end);
+    for (const Passed& passed : passed_) {
+        if (!(passed.length > begin + margin && passed.length < end - margin)) continue;
+        const glm::dvec3 off = at(passed) - from;
+        const double aside = glm::length(off - glm::dot(off, way) / square * way);
+        if (aside <= most) continue;
+        most = aside;
+        result = passed.length;
+    }
+    return result;
+}
+
 /// Lays a segment between two nodes, or two where the patch between their ribs would leave the surface.
 void ChainWalk::lay(std::uint32_t from, double begin, std::uint32_t to, double end, int depth) {
-    const double middle = 0.5 * (begin + end);
-    if (depth < most_halvings && end - begin > 4.0 * least_length * mesh_.cell_side) {
+    if (depth < most_divisions && end - begin > 4.0 * least_length * mesh_.cell_side) {
+        const double middle = most_bent(begin, end);
         const ShadeNode node = node_at(on_way(middle));
-        const double off = off_surface(node, chains_.nodes[from], chains_.nodes[to]);
-        if (off > settings_.rib_deviation * mesh_.size) {
+        const double part = (middle - begin) / (end - begin);
+        if (off_surface(node, part, chains_.nodes[from], chains_.nodes[to]) > settings_.rib_deviation * mesh_.size) {
             const std::uint32_t between = chains_.nodes.take(node);
             lay(from, begin, between, middle, depth + 1);
             lay(between, middle, to, end, depth + 1);

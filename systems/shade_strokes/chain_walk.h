@@ -49,7 +49,9 @@ private:
     [[nodiscard]] ShadeNode node_at(const Passed& passed) const;
     /// Ends the piece that is under way at node `next`, or when that is `no_slot` at a new one.
     void finish_piece(std::uint32_t next);
-    [[nodiscard]] double off_surface(const ShadeNode& between, const ShadeNode& from, const ShadeNode& to) const;
+    [[nodiscard]] double off_surface(const ShadeNode& between, double part, const ShadeNode& from,
+                                     const ShadeNode& to) const;
+    [[nodiscard]] double most_bent(double begin, double end) const;
     void lay(std::uint32_t from, double begin, std::uint32_t to, double end, int depth);
     void shade_piece();
     [[nodiscard]] std::uint32_t meeting(std::uint32_t cell) const;

@@ -21,9 +21,11 @@ inline constexpr std::size_t rib_points = 5;
 
 /// A place of a chain, and points of the surface beside it, so that strokes hug the surface.
 struct ShadeNode {
-    /// At U = -1, -1/2, 0, 1/2, 1: from the right of the chain to its left, as seen against the surface's normal. The
-    /// outer ones are `amplitude` away from the middle along the surface, or where it ends or turns away before that.
+    /// From the right of the chain to its left, as seen against the surface's normal: at U = -1, bend[0], 0,
+    /// bend[1], 1. The outer ones are `amplitude` away from the middle along the surface, or where it ends or turns
+    /// away before that. In between the surface is about straight.
     SurfacePoint rib[rib_points];
+    float bend[2];   ///< where the surface bends most between the middle and an outer point: in (-1, 0) and in (0, 1)
     float amplitude; ///< mean distance of the two outer points, in the mesh's units, along the surface; finite
     /// Length of the chain from where it was begun, in the mesh's units; negative before that. It rises along a chain,
     /// but for segments that joined two chains: each part keeps its own count, so that its strokes stay as they are.

@@ -111,6 +111,15 @@ TEST(ShadeFailuresTest, TinyAndHugeModelsGetTheSameStrokes) {
     EXPECT_EQ(segments(1.0f / 4096.0f), usual);
 }
 
+TEST(ShadeFailuresTest, TwoMillionTriangles) {
+    ShadeRig rig(geometry::torus(1.0, 0.4, 1414, 708), 2000);
+    ASSERT_GT(rig.shape().indices.size() / 3, 2000000u);
+    for (int i = 0; i < 3; ++i) rig.step_sun(10.0 * i);
+    EXPECT_LE(rig.error().mean, 0.04);
+    EXPECT_LT(rig.error().unmet, rig.mesh().cell_count() / 50);
+    EXPECT_GT(rig.chains().segments.live(), 1000u);
+}
+
 TEST(ShadeFailuresTest, PaintKeepsStrokesAway) {
     ShadeRig rig(geometry::icosphere(1.0, 4), 500);
     std::vector<float> paint(rig.mesh().cell_count(), 1.0f);
