@@ -22,7 +22,7 @@ struct StrokePatterns {
 };
 
 /// Mean coverage of full shade over the component's opacity: how dark strokes get.
-inline constexpr float full_darkness = 0.6f;
+inline constexpr float full_darkness = 0.75f;
 
 /// Draws the strokes of a surface: `find` lets the GPU find out what the view sees of them, `draw` draws that with one
 /// indirect call. The uniform block View (ViewUniforms) is bound.
