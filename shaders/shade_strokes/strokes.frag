@@ -26,7 +26,7 @@ const float STEEPEST = 8.0; // 1 / cosine of the angle of sight from which on no
 // A box filter one pixel wide; what is thinner than a pixel keeps its width as opacity, so that ink stays.
 float covered(float aside) {
     float across = clamp(half_width - abs(aside) + 0.5, 0.0, min(1.0, 2.0 * half_width));
-    return across * clamp(place.y + 0.5, 0.0, 1.0) * clamp(place.z + 0.5, 0.0, 1.0);
+    return across * max(clamp(place.y, -0.5, 0.5) + clamp(place.z, -0.5, 0.5), 0.0);
 }
 
 float scene_at(ivec2 pixel) {
