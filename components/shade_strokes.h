@@ -26,12 +26,12 @@ enum class ShadePaintChannel { red, green, blue, alpha };
 /// Sketchy strokes where a surface is dark, which follow the light (Sorman & Hult 2005). Lengths are over the size of
 /// the model, the diagonal of its bounds, so that they suit it whatever its units.
 struct ShadeStrokes {
-    float amplitude = 0.008f;
-    float amplitude_by_curvature = 0.7f;
-    float min_amplitude = 0.002f;
-    float max_amplitude = 0.02f;
+    float amplitude = 0.028f;
+    float amplitude_by_curvature = 0.3f;
+    float min_amplitude = 0.012f;
+    float max_amplitude = 0.04f;
     float intensity = 1.0f;
-    float density = 0.8f;
+    float density = 0.6f;
     float chain_turn = 1.6f;
     float trueness = 0.9f;
     float line_width = 1.2f;

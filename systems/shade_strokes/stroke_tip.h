@@ -19,7 +19,7 @@ struct StrokeTip {
     case ShadeTip::ink:
         return {.width = 1.0f, .solid = true};
     case ShadeTip::charcoal:
-        return {.width = 2.5f, .lift = 0.4f, .grain = 0.8f};
+        return {.width = 2.5f, .lift = 0.4f, .grain = 0.35f};
     case ShadeTip::pencil:
         break;
     }

@@ -7,8 +7,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <limits>
+
+#include "chain_checks.h"
 
 namespace hachure::test {
 namespace {
@@ -71,17 +72,11 @@ private:
     SelectShade select_;
 };
 
-template <class T> bool same_bits(std::span<const T> a, std::span<const T> b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
-}
-
 /// Whether two frames have the same strokes, bit for bit.
 bool same_strokes(const ShadeFrame& a, const ShadeFrame& b) {
     if (a.surfaces.size() != b.surfaces.size()) return false;
-    for (std::size_t i = 0; i < a.surfaces.size(); ++i) {
-        const ShadeChains &x = *a.surfaces[i].chains, &y = *b.surfaces[i].chains;
-        if (!same_bits(x.nodes.all(), y.nodes.all()) || !same_bits(x.segments.all(), y.segments.all())) return false;
-    }
+    for (std::size_t i = 0; i < a.surfaces.size(); ++i)
+        if (!same_chains(*a.surfaces[i].chains, *b.surfaces[i].chains)) return false;
     return true;
 }
 

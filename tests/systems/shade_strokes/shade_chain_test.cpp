@@ -195,7 +195,8 @@ TEST(ShadeChainTest, AmplitudeFollowsTheRadiusOfCurvature) {
         for (const glm::vec3& p : far.positions) shape.positions.push_back(p + glm::vec3(9, 9, 9));
         for (const std::uint32_t i : far.indices) shape.indices.push_back(first + i);
         const ShadeMesh mesh = make_shade_mesh({.positions = shape.positions, .indices = shape.indices});
-        const ShadeSettings settings{.amplitude_by_curvature = 1.0f, .min_amplitude = 1e-5f, .max_amplitude = 1.0f};
+        const ShadeSettings settings{
+            .amplitude = 0.008f, .amplitude_by_curvature = 1.0f, .min_amplitude = 1e-5f, .max_amplitude = 1.0f};
         return shade_amplitude(mesh, settings, {0, {0.2, 0.3, 0.5}}) / mesh.size;
     };
     // amplitude * radius / (size / 4), by the formula of shade_ribs.h

@@ -139,7 +139,8 @@ TEST(ShadeUpdateTest, WhatIsAskedForArrives) {
 /// The paper's chains grow back into gaps: chains are extended and joined, and segments that faded in the middle split
 /// them.
 TEST(ShadeUpdateTest, ChainsSplitExtendAndJoin) {
-    ShadeRig rig(geometry::irregular_torus(1.0, 0.4, 90, 45, 0.2, 5), 1500);
+    const ShadeSettings narrow{.amplitude = 0.006f, .min_amplitude = 0.002f, .max_amplitude = 0.01f}; // many chains
+    ShadeRig rig(geometry::irregular_torus(1.0, 0.4, 90, 45, 0.2, 5), 1500, narrow);
     rig.step({});
     const std::size_t whole = rig.chains().chains.live();
     const ShadingLight spot{.position = glm::vec4(3, 0, 0, 1),
