@@ -12,8 +12,9 @@
 namespace hachure {
 namespace {
 
-/// By name: the command line works without these capabilities, too.
-constexpr std::array<std::string_view, 2> that_build_up{"script", "timeline"};
+/// By name: the command line works without these capabilities, too. Which strokes deliver a shade depends on how the
+/// light came to need it.
+constexpr std::array<std::string_view, 3> that_build_up{"script", "shade_strokes", "timeline"};
 
 bool carried_as_component(const App& app, std::string_view name) {
     const TypeInfo* type = app.types().find(name);

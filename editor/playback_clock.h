@@ -10,8 +10,8 @@ namespace hachure {
 [[nodiscard]] double seek(const App& app, double seconds);
 
 /// Whether what a frame shows depends on the frames before it: state builds up where an entity carries a script, a
-/// timeline, or a brush whose noise motion carries along. Such inputs are stepped from frame 0 at the frame rate; all
-/// else may jump to any moment.
+/// timeline, shade strokes, or a brush whose noise motion carries along. Such inputs are stepped from frame 0 at the
+/// frame rate; all else may jump to any moment.
 [[nodiscard]] bool needs_stepping(const App& app);
 
 } // namespace hachure

@@ -16,6 +16,7 @@
 #include <hachure/systems/picture/picture.h>
 #include <hachure/systems/scene/scene.h>
 #include <hachure/systems/script/script.h>
+#include <hachure/systems/shade_strokes/shade_strokes.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
 #include <hachure/systems/toon/toon.h>
@@ -43,6 +44,7 @@ void register_capabilities(App& app) {
     register_edge_lines(app);
     register_abstracted_lines(app);
     register_implicit_brush(app);
+    register_shade_strokes(app);
     register_paper(app);
     register_compose(app);
     register_velocity(app);

@@ -1,4 +1,5 @@
 #include <hachure/runtime/geometry/claimed_middles.h>
+#include <hachure/runtime/geometry/straight_piece.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,12 +19,6 @@ constexpr float least_reach = 0.6f;
 /// How much a pixel draws of a line, whatever part of the width fades: over its outermost pixel a line may be faint.
 float drawn_opacity(float opacity, float away, float width) {
     return opacity * std::clamp(std::max(0.5f * width, least_reach) - away, 0.0f, 1.0f);
-}
-
-glm::vec2 nearest_on(glm::vec2 a, glm::vec2 b, glm::vec2 place) {
-    const glm::vec2 step = b - a;
-    const float t = glm::dot(place - a, step) / std::max(glm::dot(step, step), 1e-12f);
-    return a + std::clamp(t, 0.0f, 1.0f) * step;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/geometry/reconcile_polylines.h>
+#include <hachure/runtime/geometry/straight_piece.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -32,12 +33,6 @@ constexpr float half_dot = 0.05f;
 
 /// Of lines that are no longer than so many widths the width is counted.
 constexpr float counted_widths = 2.0f;
-
-float distance_to(glm::vec2 a, glm::vec2 b, glm::vec2 place) {
-    const glm::vec2 step = b - a;
-    const float t = glm::dot(place - a, step) / std::max(glm::dot(step, step), 1e-12f);
-    return glm::distance(place, a + std::clamp(t, 0.0f, 1.0f) * step);
-}
 
 } // namespace
 
@@ -114,7 +109,8 @@ void ReconcilePolylinesJob::reconcile(const Polyline& line) {
 void ReconcilePolylinesJob::mark_along(glm::vec2 a, glm::vec2 b, std::uint32_t owner) {
     const std::span<const ClaimedMiddle> claims = middles.claims();
     middles.each_near(0.5f * (a + b), reach + 0.5f * glm::distance(a, b), [&](std::uint32_t i) {
-        if (claims[i].owner == owner && distance_to(a, b, claims[i].place) <= reach) on_line[i] = 1;
+        if (claims[i].owner == owner && glm::distance(claims[i].place, nearest_on(a, b, claims[i].place)) <= reach)
+            on_line[i] = 1;
     });
 }
 

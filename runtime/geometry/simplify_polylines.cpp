@@ -1,5 +1,6 @@
 #include <hachure/runtime/assert.h>
 #include <hachure/runtime/geometry/simplify_polylines.h>
+#include <hachure/runtime/geometry/straight_piece.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -18,10 +19,8 @@ void SimplifyPolylinesJob::validate() const {
 /// How much a point differs from the straight piece between two others, 1 for what is just tolerated.
 float SimplifyPolylinesJob::deviation(std::uint32_t point, std::uint32_t first, std::uint32_t last) const {
     const LinePoint &a = lines->points[first], &b = lines->points[last], &p = lines->points[point];
-    const glm::vec2 along = b.place - a.place;
-    const float t =
-        glm::clamp(glm::dot(p.place - a.place, along) / std::max(glm::dot(along, along), 1e-12f), 0.0f, 1.0f);
-    return std::max({glm::distance(p.place, a.place + t * along) / tolerance,
+    const float t = nearest_part(a.place, b.place, p.place);
+    return std::max({glm::distance(p.place, glm::mix(a.place, b.place, t)) / tolerance,
                      std::abs(p.width - glm::mix(a.width, b.width, t)) / width_tolerance,
                      std::abs(p.opacity - glm::mix(a.opacity, b.opacity, t)) / opacity_tolerance});
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hachure/runtime/gpu/rect.h>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
@@ -40,6 +42,10 @@ public:
     template <glm::length_t C, glm::length_t R, KeyScalar T, glm::qualifier Q>
     void add(const glm::mat<C, R, T, Q>& matrix) {
         for (glm::length_t i = 0; i < C; ++i) add(matrix[i]);
+    }
+
+    void add(const Rect& rect) {
+        for (const int side : {rect.x, rect.y, rect.width, rect.height}) add(side);
     }
 
     [[nodiscard]] std::uint64_t value() const { return state_; }

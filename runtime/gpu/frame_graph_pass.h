@@ -28,8 +28,8 @@ public:
 
     /// The pass depends on these values and on the textures it uses, and on nothing else: while they stay the same, its
     /// results stand and it is not executed. Any number of calls; numbers, enums, strings, spans of numbers, glm
-    /// vectors and matrices. A pass that never calls this runs in every frame that needs it. Values that a pass reads
-    /// at execution time must be among them.
+    /// vectors, matrices and rectangles. A pass that never calls this runs in every frame that needs it. Values that a
+    /// pass reads at execution time must be among them.
     template <class... T> void depends_on(const T&... values) {
         KeyHash& hash = keys();
         (hash.add(values), ...);
@@ -41,6 +41,12 @@ public:
 
     /// Pixels that the pass will cover, for the statistics (see PassStats::pixels).
     void covers(std::uint64_t pixels);
+
+    /// The pass draws in this rectangle alone: what it makes depends on it, and it covers its pixels.
+    void draws_in(const Rect& rect) {
+        depends_on(rect);
+        covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
+    }
 
 private:
     friend class FrameGraph;

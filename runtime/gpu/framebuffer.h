@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hachure/runtime/gpu/handle.h>
+#include <hachure/runtime/gpu/rect.h>
 #include <hachure/runtime/gpu/texture.h>
 
 #include <array>
@@ -16,16 +17,6 @@ namespace hachure::gpu {
 struct Attachment {
     const Texture* texture = nullptr; ///< null: this output is dropped
     int level = 0;
-};
-
-/// A rectangle of pixels; (x, y) is its lower left corner.
-struct Rect {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-
-    friend bool operator==(const Rect&, const Rect&) = default;
 };
 
 /// Textures to draw into (glCreateFramebuffers). It does not own them: they must outlive it. Colour attachment i takes

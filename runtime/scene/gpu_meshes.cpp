@@ -149,6 +149,13 @@ const gpu::VertexArray& GpuMeshes::vertex_array(const MeshStore& store, const Dr
     return shape.vertex_array;
 }
 
+const gpu::Buffer& GpuMeshes::positions(const MeshStore& store, const DrawItem& item) {
+    static_cast<void>(vertex_array(store, item)); // uploads what it draws
+    if (item.shape.version == 0) return mesh(store, item.mesh).positions;
+    if (!item.shape.on_gpu) return shapes_.at(item.entity).positions;
+    return has_shape(item) ? shapes_.at(item.entity).on_gpu : mesh(store, item.mesh).positions;
+}
+
 const gpu::Buffer& GpuMeshes::shape_buffer(const MeshStore& store, const DrawItem& item) {
     HACHURE_ASSERT(item.shape.on_gpu, "this shape comes from the CPU");
     const GpuMesh& base = mesh(store, item.mesh);

@@ -27,6 +27,10 @@ public:
     /// What to draw an item of the DrawList with: its mesh, in its own shape where it deforms.
     [[nodiscard]] const gpu::VertexArray& vertex_array(const MeshStore& store, const DrawItem& item);
 
+    /// Where the vertices of an item are, in the mesh's order: floats, from the buffer's begin on, 3 each. As for
+    /// vertex_array(), which uses the same buffer.
+    [[nodiscard]] const gpu::Buffer& positions(const MeshStore& store, const DrawItem& item);
+
     /// Where a compute shader writes the shape of an item that is deformed on the GPU (DrawShape::on_gpu), made when
     /// there is none: floats, the positions of all vertices, then their normals (3 each), then, where the mesh has
     /// them, their tangents (4 each). The vertex array draws from this buffer.

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <hachure/runtime/gpu/framebuffer.h>
+#include <hachure/runtime/ecs/world.h>
+#include <hachure/runtime/gpu/frame_graph.h>
+#include <hachure/runtime/gpu/rect.h>
 #include <hachure/runtime/scene/view_rects.h>
 
 #include <algorithm>
@@ -38,5 +40,18 @@ private:
     };
     std::vector<Part> parts_;
 };
+
+/// The line layer as a pass draws onto it.
+struct LineTarget {
+    gpu::TextureHandle layer;
+    bool first = false; ///< nobody has drawn onto it yet
+};
+
+/// Finds the line layer, or makes it (rgba16f, premultiplied, of the view's size), and declares that `pass` draws onto
+/// it; publishes the new version.
+[[nodiscard]] LineTarget write_line_layer(World& world, gpu::PassBuilder& pass);
+
+/// From within the pass: binds the layer, cleared where it has to be.
+void bind_line_layer(World& world, const gpu::PassContext& pass, const LineTarget& target);
 
 } // namespace hachure

@@ -8,6 +8,7 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/ecs/time.h>
 #include <hachure/runtime/error.h>
+#include <hachure/samples/common/lay_figure.h>
 #include <hachure/systems/model/spawn_model.h>
 
 #include <glm/gtc/constants.hpp>
@@ -18,7 +19,6 @@
 #include <cmath>
 
 #include "hills.h"
-#include "lay_figure.h"
 
 namespace hill_walk {
 
@@ -81,8 +81,9 @@ void HillWalk::add_ground() {
 
 void HillWalk::add_figure(Part part, const std::string& file) {
     const bool first = part == first_figure;
-    const Build build = first ? Build{figure_height, 1.0f} : Build{0.85f * figure_height, 1.35f};
-    SpawnedModel model = spawn_model(world_, file.empty() ? lay_figure(build) : assets::read_model(file));
+    const samples::Build build =
+        first ? samples::Build{figure_height, 1.0f} : samples::Build{0.85f * figure_height, 1.35f};
+    SpawnedModel model = spawn_model(world_, file.empty() ? samples::lay_figure(build) : assets::read_model(file));
     if (model.points.empty()) throw Error(file, "has nothing to draw");
     const float height = file.empty() ? build.height : figure_height;
     if (!model.clips.empty()) {

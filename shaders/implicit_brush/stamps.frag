@@ -3,6 +3,7 @@
 // (Vergne et al. 2011, section 4.1). Pixels that count for nothing are left as they are, zero.
 #include "common/view.glsl"
 #include "implicit_brush/brush_style.glsl"
+#include "implicit_brush/direction.glsl"
 
 layout(binding = 0) uniform sampler2D profiles; // from the pixel to the line, px; height; curvature
 layout(binding = 1) uniform sampler2D features; // height, direction twice around, singularity
@@ -51,9 +52,8 @@ vec2 across_of(vec2 line) {
         vec2 weight = mix(1.0 - part, part, vec2(step));
         sum += weight.x * weight.y * texelFetch(features, inside(corner + step), 0).yz;
     }
-    if (dot(sum, sum) < 1e-12) return vec2(1.0, 0.0);
-    float angle = 0.5 * atan(sum.y, sum.x);
-    return vec2(cos(angle), sin(angle));
+    vec2 theta = direction_of(sum);
+    return theta != vec2(0.0) ? theta : vec2(1.0, 0.0);
 }
 
 // Moves along an axis whose sign means nothing: towards the upper right.

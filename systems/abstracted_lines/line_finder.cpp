@@ -49,7 +49,7 @@ gpu::TextureDesc LineFinder::found_desc(int width, int height) { return {width, 
 
 /// `channels`: 1 for the diffuse one, 2 for the specular one, 3 for both.
 gpu::ProgramSource LineFinder::program_source(const LineFindJob& job, int channels, Step step) {
-    gpu::ProgramSource source{.vertex = job.candidates ? "abstracted_lines/marked.vert" : "common/full_screen.vert",
+    gpu::ProgramSource source{.vertex = job.candidates ? "common/marked.vert" : "common/full_screen.vert",
                               .fragment = step == Step::draw ? "abstracted_lines/draw_lines.frag"
                                                              : "abstracted_lines/lines.frag"};
     const auto define = [&](const char* name, const std::string& value) { source.defines.push_back({name, value}); };

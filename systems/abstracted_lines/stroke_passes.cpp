@@ -28,8 +28,8 @@ struct BuildPass {
 
 struct DrawPass {
     RidgeTextures from;
-    TextureHandle layer, coverage;
-    bool clear = false; ///< the layer is new
+    LineTarget lines;
+    TextureHandle coverage;
 };
 
 RidgeTextures read_all(gpu::FrameGraph& graph, gpu::PassBuilder& pass) {
@@ -122,33 +122,22 @@ void StrokePasses::declare_draw(World& world) {
     RenderContext& render = world.resource_mutable<RenderContext>();
     gpu::FrameGraph& graph = render.graph;
     const View& view = world.resource<View>();
-    const gpu::Rect cleared = world.resource<LineLayer>().rect();
     const gpu::Rect rect = world.resource<ToneLineFrame>().rects.lines;
     graph.add_pass<DrawPass>(
         "stroke_lines",
         [&](gpu::PassBuilder& pass, DrawPass& data) {
             data.from = read_all(graph, pass); // for what the strokes depend on
             const gpu::TextureDesc desc{view.width, view.height, gpu::Format::rgba16f};
-            const TextureHandle below = graph.find("line_layer");
-            data.clear = !below;
-            data.layer = below ? pass.write(below) : pass.create("line_layer", desc);
-            graph.publish("line_layer", data.layer);
+            data.lines = write_line_layer(world, pass);
             data.coverage = pass.create("stroke_coverage", desc);
             depend_on_strokes(world, pass);
-            pass.depends_on(cleared.x, cleared.y, cleared.width, cleared.height);
-            pass.covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
+            pass.draws_in(rect);
         },
-        [this, &world, &render, cleared, rect](const DrawPass& data, gpu::PassContext& pass) {
-            const gpu::Framebuffer& layer = render.backend->framebuffer({pass.texture(data.layer)});
+        [this, &world, &render, rect](const DrawPass& data, gpu::PassContext& pass) {
+            bind_line_layer(world, pass, data.lines);
+            const gpu::Framebuffer& layer = render.backend->framebuffer({pass.texture(data.lines.layer)});
             const gpu::Rect all{0, 0, layer.width(), layer.height()};
             const std::array nothing{0.0f, 0.0f, 0.0f, 0.0f};
-            if (data.clear) {
-                // Compose looks at the rectangle of all lines alone, who asks for the layer as an AOV at all of it.
-                const bool whole = !world.resource<FrameRequests>().aovs.empty();
-                layer.bind();
-                gpu::apply({.viewport = all, .scissor = whole ? all : cleared});
-                layer.clear_color(0, nothing);
-            }
             upload();
             for (const StrokeGroup& group : batches_.groups) {
                 const gpu::Framebuffer& coverage = render.backend->framebuffer({pass.texture(data.coverage)});

@@ -16,22 +16,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 namespace hachure {
 namespace {
 
 using gpu::TextureHandle;
-
-std::uint64_t pixels_of(const gpu::Rect& rect) {
-    return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
-}
-
-void depend_on_rect(gpu::PassBuilder& pass, const gpu::Rect& rect) {
-    pass.depends_on(rect.x, rect.y, rect.width, rect.height);
-    pass.covers(pixels_of(rect));
-}
 
 /// White where nothing is drawn, without highlights, without a width of lines.
 constexpr std::array background_tone{1.0f, 0.0f, 0.0f, 0.0f};
@@ -56,7 +46,7 @@ struct FindPass {
     std::array<TextureHandle, 2> found; ///< scratch
     TextureHandle object_ids;
     TextureHandle candidates; ///< depth that marks the pixels which are searched
-    bool clear = false;       ///< the targets are new
+    LineTarget lines;         ///< where lines are drawn, not told
 };
 
 std::uint64_t styles_key(const ToneLineFrame& frame) {
@@ -80,11 +70,10 @@ std::vector<double> widths_of(const ToneLineFrame& frame) {
     return stack_widths(double(frame.narrowest), double(frame.widest));
 }
 
-void clear(const gpu::Framebuffer& framebuffer, int index, const std::array<float, 4>& value,
-           const std::optional<gpu::Rect>& where) {
+/// So that all of it can be cleared.
+void bind_whole(const gpu::Framebuffer& framebuffer) {
     framebuffer.bind();
-    gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}, .scissor = where});
-    framebuffer.clear_color(index, value);
+    gpu::apply({.viewport = {0, 0, framebuffer.width(), framebuffer.height()}});
 }
 
 /// The tones of pictures, behind all surfaces.
@@ -136,7 +125,7 @@ void declare_find(World& world, gpu::PassBuilder& pass, std::string_view name, c
                   pass.create(fmt::format("{}_specular_found", name), found)};
     if (owners) data.object_ids = pass.read(render.graph.find("object_id"));
     pass.depends_on(styles_key(frame), frame.least_curvature, render.shaders->generation());
-    depend_on_rect(pass, frame.rects.lines);
+    pass.draws_in(frame.rects.lines);
 }
 
 } // namespace
@@ -183,7 +172,7 @@ void ToneLinePasses::declare_tone(World& world, Textures& textures) {
             pass.depends_on(world.resource<DrawList>().key, world.resource<LightList>().key(), key.value(),
                             world.last_changed<AbstractedLines>(), world.last_changed<Toon>(), styles_key(frame),
                             render.shaders->generation());
-            depend_on_rect(pass, frame.rects.shaded);
+            pass.draws_in(frame.rects.shaded);
         },
         [this, &world, &render](const TonePass& data, gpu::PassContext& pass) {
             const ToneLineFrame& drawn = world.resource<ToneLineFrame>();
@@ -241,7 +230,7 @@ void ToneLinePasses::declare_blur(World& world, Textures& textures) {
                     scratch.push_back(pass.create(fmt::format("tone_scratch_{}_{}", i, scratch.size()), other));
             }
             pass.depends_on(styles_key(frame), render.shaders->generation());
-            depend_on_rect(pass, frame.rects.blurred);
+            pass.draws_in(frame.rects.blurred);
         },
         [&world, &render, steps](const BlurPass& data, gpu::PassContext& pass) {
             const ToneLineFrame& drawn = world.resource<ToneLineFrame>();
@@ -265,31 +254,22 @@ void ToneLinePasses::declare_blur(World& world, Textures& textures) {
 
 void ToneLinePasses::declare_lines(World& world, const Textures& textures) {
     RenderContext& render = world.resource_mutable<RenderContext>();
-    gpu::FrameGraph& graph = render.graph;
     const View& view = world.resource<View>();
-    const gpu::Rect cleared = world.resource<LineLayer>().rect();
-    graph.add_pass<FindPass>(
+    render.graph.add_pass<FindPass>(
         "abstracted_lines",
         [&](gpu::PassBuilder& pass, FindPass& data) {
             declare_find(world, pass, "abstracted_lines", textures.levels, !world.resource<ToneLineFrame>().uniform,
                          data);
-            const TextureHandle below = graph.find("line_layer");
-            data.clear = !below;
-            data.targets = {below ? pass.write(below)
-                                  : pass.create("line_layer", {view.width, view.height, gpu::Format::rgba16f})};
-            graph.publish("line_layer", data.targets.front());
+            data.lines = write_line_layer(world, pass);
             if (!world.resource<ToneLineFrame>().varying)
                 data.candidates = pass.create("line_candidates", {view.width, view.height, gpu::Format::depth32f});
-            pass.depends_on(cleared.x, cleared.y, cleared.width, cleared.height);
         },
-        [this, &world, &render, cleared](const FindPass& data, gpu::PassContext& pass) {
-            const std::uint32_t layer_id = pass.texture(data.targets.front());
-            const gpu::Framebuffer& layer = render.backend->framebuffer({layer_id});
-            // Compose looks at the rectangle of all lines alone, who asks for the layer as an AOV at all of it.
-            const bool whole = !world.resource<FrameRequests>().aovs.empty();
-            if (data.clear) clear(layer, 0, {0.0f, 0.0f, 0.0f, 0.0f}, whole ? std::nullopt : std::optional(cleared));
-            const gpu::Framebuffer& marked =
-                data.candidates ? render.backend->framebuffer({layer_id}, pass.texture(data.candidates)) : layer;
+        [this, &world, &render](const FindPass& data, gpu::PassContext& pass) {
+            bind_line_layer(world, pass, data.lines);
+            const std::uint32_t layer = pass.texture(data.lines.layer);
+            const gpu::Framebuffer& marked = data.candidates
+                                                 ? render.backend->framebuffer({layer}, pass.texture(data.candidates))
+                                                 : render.backend->framebuffer({layer});
             find_lines(world, data, pass, finder_, marked, LineOutput::layer);
         });
 }
@@ -310,7 +290,8 @@ void ToneLinePasses::declare_maps(World& world, const Textures& textures) {
         [this, &world, &render](const FindPass& data, gpu::PassContext& pass) {
             const gpu::Framebuffer& maps = render.backend->framebuffer(
                 {pass.texture(data.targets[0]), pass.texture(data.targets[1]), pass.texture(data.targets[2])});
-            clear(maps, 0, {1e10f, 1e10f, 0.0f, 0.0f}, std::nullopt);
+            bind_whole(maps);
+            maps.clear_color(0, std::array{1e10f, 1e10f, 0.0f, 0.0f});
             for (const int i : {1, 2}) maps.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
             find_lines(world, data, pass, finder_, maps, LineOutput::maps);
         });
@@ -341,8 +322,8 @@ void ToneLinePasses::declare_points(World& world, const Textures& textures) {
         [this, &world, &render](const FindPass& data, gpu::PassContext& pass) {
             const auto id = [&](std::size_t i) { return pass.texture(data.targets[i]); };
             const gpu::Framebuffer& points = render.backend->framebuffer({id(0), id(1), id(2), id(3), id(4)});
-            clear(points, 0, {0.0f, 0.0f, 0.0f, 0.0f}, std::nullopt);
-            for (const int i : {1, 2, 3}) points.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+            bind_whole(points);
+            for (const int i : {0, 1, 2, 3}) points.clear_color(i, std::array{0.0f, 0.0f, 0.0f, 0.0f});
             points.clear_color(4, std::array{0u, 0u, 0u, 0u});
             find_lines(world, data, pass, finder_, points, LineOutput::points);
         });

@@ -52,8 +52,8 @@ void declare_overlay(World& world, RenderContext& render) {
             data.layer = pass.read(graph.find("line_layer"));
             data.color = pass.write(graph.find("color"));
             graph.publish("color", data.color);
-            pass.depends_on(rect.x, rect.y, rect.width, rect.height, render.shaders->generation());
-            pass.covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
+            pass.depends_on(render.shaders->generation());
+            pass.draws_in(rect);
         },
         [&render, rect](const OverlayPass& data, gpu::PassContext& pass) {
             const gpu::TextureDesc& desc = pass.desc(data.color);
@@ -146,6 +146,7 @@ void register_compose(App& app) {
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
         .after("implicit_brush.pass")
+        .after("shade_strokes.pass")
         .before("paper.pass");
     app.add_system(Stage::render, "compose.passes", declare_passes)
         .after("compose.blank")
@@ -156,6 +157,7 @@ void register_compose(App& app) {
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
         .after("implicit_brush.pass")
+        .after("shade_strokes.pass")
         .after("paper.pass");
 }
 

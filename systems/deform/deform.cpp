@@ -4,6 +4,7 @@
 #include <hachure/components/implicit_brush.h>
 #include <hachure/components/metal.h>
 #include <hachure/components/morph_weights.h>
+#include <hachure/components/shade_strokes.h>
 #include <hachure/components/skin.h>
 #include <hachure/components/surface.h>
 #include <hachure/components/toon.h>
@@ -30,7 +31,8 @@ namespace {
 
 using Places = Query<const WorldTransform>;
 using Bodies = Query<const Surface, const WorldTransform, AnyOf<const Skin, const MorphWeights>, Optional<const Deform>,
-                     Optional<const EdgeLines>, Optional<const Curvature>, Optional<const Metal>, Optional<const Toon>>;
+                     Optional<const EdgeLines>, Optional<const Curvature>, Optional<const Metal>, Optional<const Toon>,
+                     Optional<const ShadeStrokes>>;
 
 /// Places of joints in the world, and what they make of a skin's rest pose.
 class Palettes {
@@ -74,16 +76,16 @@ public:
 
     void operator()(Bodies bodies, Places places, Query<Deformed> shapes, Removed<Skin> unskinned,
                     Removed<MorphWeights> unmorphed, Removed<EdgeLines> unlined, Removed<Curvature> unbent,
-                    Removed<Metal> unmilled, Removed<Toon> untoned, Query<const ImplicitBrush> brushes, LastRun last,
-                    const MeshStore& store, const FrameRequests& requests, DeformInputs& inputs, DeformCounts& counts,
-                    Commands& commands) {
+                    Removed<Metal> unmilled, Removed<Toon> untoned, Removed<ShadeStrokes> unshaded,
+                    Query<const ImplicitBrush> brushes, LastRun last, const MeshStore& store,
+                    const FrameRequests& requests, DeformInputs& inputs, DeformCounts& counts, Commands& commands) {
         counts = {};
         forget(bodies, unskinned, inputs);
         forget(bodies, unmorphed, inputs);
         // Both compare positions of two frames.
         const bool wanted = gpu_ && !requests.wants("velocity") && !carry_noise(brushes);
-        const bool elsewhere =
-            wanted != leave_to_gpu_ || !unlined.empty() || !unbent.empty() || !unmilled.empty() || !untoned.empty();
+        const bool elsewhere = wanted != leave_to_gpu_ || !unlined.empty() || !unbent.empty() || !unmilled.empty() ||
+                               !untoned.empty() || !unshaded.empty();
         leave_to_gpu_ = wanted;
         if (!elsewhere && !anything_moved(bodies, places, last)) return;
         collect(bodies, places, shapes, store, inputs, counts);
@@ -99,7 +101,7 @@ private:
     static bool anything_moved(const Bodies& bodies, const Places& places, LastRun last) {
         return !places.changed_since<WorldTransform>(last.tick).empty() ||
                !bodies.changed_since<Surface, Skin, MorphWeights, Deform, EdgeLines, Curvature>(last.tick).empty() ||
-               !bodies.changed_since<Metal, Toon>(last.tick).empty();
+               !bodies.changed_since<Metal, Toon, ShadeStrokes>(last.tick).empty();
     }
 
     /// A brush may paint on surfaces of entities other than its own.
@@ -120,9 +122,10 @@ private:
     /// Where it is to be deformed: as it asks, unless something looks at its positions, or computes normals from them,
     /// on the CPU. What else comes to do so has its component named here.
     [[nodiscard]] DeformDevice device_of(const SurfaceMesh& mesh, const Deform& settings, const EdgeLines* lines,
-                                         const Curvature* curvature, const Metal* metal, const Toon* toon) const {
+                                         const Curvature* curvature, const Metal* metal, const Toon* toon,
+                                         const ShadeStrokes* strokes) const {
         const bool carries = toon && toon->abstraction > 0.0f; // abstracted normals, by the palette
-        const bool can = leave_to_gpu_ && !lines && !curvature && !metal && !carries &&
+        const bool can = leave_to_gpu_ && !lines && !curvature && !metal && !carries && !strokes &&
                          settings.normals == DeformedNormals::blended && !mesh.positions.empty() &&
                          mesh.normals.size() == mesh.positions.size();
         return can ? settings.device : DeformDevice::cpu;
@@ -132,7 +135,7 @@ private:
     void collect(const Bodies& bodies, const Places& places, const Query<Deformed>& shapes, const MeshStore& store,
                  DeformInputs& inputs, DeformCounts& counts) {
         Palettes palettes(places, store);
-        for (auto [entity, surface, transform, skin, morph, asked, lines, curvature, metal, toon] : bodies) {
+        for (auto [entity, surface, transform, skin, morph, asked, lines, curvature, metal, toon, strokes] : bodies) {
             const SurfaceMesh& mesh = store.mesh(surface.mesh);
             const bool skinned = skin && skin->joints.size() == mesh.skin.joint_count() && mesh.skin.vertex_count() > 0;
             const bool morphing = morph && morph->values.size() == mesh.morphs.size();
@@ -140,7 +143,7 @@ private:
             palette_.clear();
             if (skinned) palettes.make(*skin, transform.matrix, palette_);
             Deform settings = asked ? *asked : Deform{};
-            settings.device = device_of(mesh, settings, lines, curvature, metal, toon);
+            settings.device = device_of(mesh, settings, lines, curvature, metal, toon, strokes);
             DeformState& state = states_[entity];
             ShapeUpdate update(mesh, state);
             if (!update.prepare(surface.mesh, settings,

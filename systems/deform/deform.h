@@ -18,8 +18,8 @@ struct DeformCounts {
 /// threads.
 ///
 /// Those whose Deform says so are deformed by the GPU instead, in pass "deform" of stage render, when they are seen. It
-/// stays on the CPU what something there looks at: surfaces with EdgeLines or Metal, with recomputed or abstracted
-/// normals, and all of them while the AOV `velocity` is wanted or a brush has noise that motion carries along. So it
+/// stays on the CPU what something there looks at: surfaces with EdgeLines, Metal or ShadeStrokes, with recomputed or
+/// abstracted normals, and all of them while the AOV `velocity` is wanted or a brush has noise that motion carries along. So it
 /// does without a Renderer, which is made before this is called.
 void register_deform(App& app);
 

@@ -178,8 +178,8 @@ void declare_line_pass(World& world) {
         [&](gpu::PassBuilder& pass, LinePass& data) {
             declare_textures(world, render.graph, pass, data);
             pass.depends_on(world.resource<DrawList>().key, world.last_changed<EdgeLines>(),
-                            render.shaders->generation(), cleared.x, cleared.y, cleared.width, cleared.height);
-            pass.covers(static_cast<std::uint64_t>(frame.rect.width) * static_cast<std::uint64_t>(frame.rect.height));
+                            render.shaders->generation(), cleared);
+            pass.draws_in(frame.rect);
         },
         [&world](const LinePass& data, gpu::PassContext& pass) { LineDrawing(world, data, pass).run(); });
 }

@@ -29,7 +29,7 @@ struct BrushDraw {
 
 /// What this frame paints with brushes. A resource.
 struct BrushFrame {
-    FeatureImage quality;                 ///< as the camera has it
+    FeatureImage quality;                 ///< resolved
     std::vector<FeatureRequest> features; ///< each key once
     std::vector<BrushNoiseKey> noises;    ///< each once
     std::vector<BrushDraw> draws;         ///< in the order in which they are painted

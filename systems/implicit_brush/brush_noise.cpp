@@ -5,7 +5,6 @@
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/implicit_brush/brush_noise.h>
 #include <hachure/systems/implicit_brush/brush_noise_job.h>
-#include <hachure/systems/implicit_brush/depend_on_rect.h>
 
 #include <fmt/format.h>
 
@@ -111,7 +110,7 @@ BrushNoisePasses::Pasts BrushNoisePasses::declare_pasts(World& world, std::size_
                                                {view.width, view.height, gpu::Format::rgba32f});
             builder.depends_on(surfaces.key(), pictures ? pictures->key : 0, lifetime.pixels, lifetime.frames,
                                render.shaders->generation());
-            depend_on_rect(builder, rect);
+            builder.draws_in(rect);
         },
         [this, index, lifetime, &world, &render, rect](const PastsPass& data, gpu::PassContext& context) {
             const PhaseTextures textures{context.texture(data.depth_buffer),
@@ -134,7 +133,7 @@ BrushNoisePasses::Places BrushNoisePasses::declare_places(World& world, const gp
             data.places = builder.create("brush_places", {view.width, view.height, gpu::Format::rgba32f});
             data.objects = builder.create("brush_objects", {view.width, view.height, gpu::Format::rg32ui});
             builder.depends_on(world.resource<DrawList>().key, render.shaders->generation());
-            depend_on_rect(builder, rect);
+            builder.draws_in(rect);
         },
         [this, &world, &render, rect](const PlacesPass& data, gpu::PassContext& context) {
             places_.draw(
@@ -162,7 +161,7 @@ TextureHandle BrushNoisePasses::declare_noise(World& world, const BrushNoiseKey&
             data.noise = builder.create(name, {view.width, view.height, gpu::Format::rgba16f});
             builder.depends_on(key.grain, key.size, key.world_size, key.flatness, key.seed,
                                render.shaders->generation());
-            depend_on_rect(builder, rect);
+            builder.draws_in(rect);
         },
         [&render, key, rect](const NoisePass& data, gpu::PassContext& context) {
             const auto id = [&](TextureHandle handle) { return handle ? context.texture(handle) : 0u; };

@@ -6,8 +6,8 @@
 #include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/implicit_brush/brush_frame.h>
 #include <hachure/systems/implicit_brush/brush_passes.h>
-#include <hachure/systems/implicit_brush/depend_on_rect.h>
 #include <hachure/systems/implicit_brush/feature_aovs.h>
+#include <hachure/systems/implicit_brush/feature_quality.h>
 #include <hachure/systems/implicit_brush/weight_map.h>
 
 #include <fmt/format.h>
@@ -53,9 +53,6 @@ bool same_place(const ImplicitBrush& brush) {
 /// All of it but the textures.
 ConvolveJob convolve_job(const BrushDraw& draw, const FeatureImage& quality, const TipBitmap* bitmap) {
     const ImplicitBrush& brush = draw.brush;
-    const float shift = std::abs(brush.shift_along) + std::abs(brush.shift_across) + 1.42f * brush.wobble;
-    // Halves do for heights, but sums of many stamps round by a hundredth.
-    const bool halves = quality.quality == FeatureQuality::fast;
     ConvolveJob job{
         .method = brush.method,
         .stamps = draw.stamps,
@@ -63,12 +60,12 @@ ConvolveJob convolve_job(const BrushDraw& draw, const FeatureImage& quality, con
         .bitmap = bitmap,
         .radius = draw.radius,
         .largest_radius = draw.radius,
-        .largest_shift = shift * draw.radius,
+        .largest_shift = largest_shift(brush) * draw.radius,
         .peak = brush.peak,
         .contrast = brush.contrast,
         .opacity = brush.opacity,
         .canvas = {.amount = brush.canvas},
-        .sums = halves ? gpu::Format::rgba16f : gpu::Format::rgba32f};
+        .sums = feature_format(quality.storage)};
     if (same_place(brush)) job.same_place = glm::vec4(0.0f, 0.0f, draw.radius, brush.angle);
     if (brush.coloring == BrushColor::constant && brush.color_noise <= 0.0f) job.same_color = brush.color;
     return job;
@@ -80,9 +77,9 @@ struct StampPass {
 };
 
 struct InkPass {
-    TextureHandle place, ink, noise, layer;
+    TextureHandle place, ink, noise;
     std::vector<TextureHandle> scratch;
-    bool clear = false;
+    LineTarget lines;
 };
 
 } // namespace
@@ -90,7 +87,7 @@ struct InkPass {
 void BrushPasses::declare(World& world) {
     const BrushFrame& frame = world.resource<BrushFrame>();
     if (frame.features.empty()) return;
-    const std::vector<FeatureTextures> features = features_.declare(world, frame.features, frame.sought);
+    const std::vector<FeatureTextures> features = features_.declare(world, frame.quality, frame.features, frame.sought);
     const std::vector<TextureHandle> noises = noises_.declare(world, frame.noises, united(frame.sought, frame.rect));
     std::vector<BrushInk> inks;
     for (std::size_t i = 0; i < frame.draws.size(); ++i) {
@@ -125,7 +122,7 @@ BrushPasses::Stamps BrushPasses::declare_stamps(World& world, std::size_t index,
                 pass.create(fmt::format("brush_place_{}", index), {view.width, view.height, gpu::Format::rgba16f});
             data.ink = pass.create(fmt::format("brush_ink_{}", index), {view.width, view.height, gpu::Format::rgba16f});
             pass.depends_on(view.key(), style_key(draw.style), owners_key(frame, index), render.shaders->generation());
-            depend_on_rect(pass, draw.stamps);
+            pass.draws_in(draw.stamps);
         },
         [this, &world, &render, index, contours](const StampPass& data, gpu::PassContext& pass) {
             const BrushFrame& drawn = world.resource<BrushFrame>();
@@ -152,14 +149,12 @@ BrushPasses::Stamps BrushPasses::declare_stamps(World& world, std::size_t index,
 /// Lays the brush's ink onto the line layer, which is cleared by whoever is first.
 void BrushPasses::declare_ink(World& world, std::size_t index, const Stamps& stamps, TextureHandle noise) {
     RenderContext& render = world.resource_mutable<RenderContext>();
-    gpu::FrameGraph& graph = render.graph;
     const View& view = world.resource<View>();
     const BrushFrame& frame = world.resource<BrushFrame>();
     const BrushDraw& draw = frame.draws[index];
     const TipBitmap* bitmap = draw.brush.tip == BrushTip::bitmap ? &tips_.get(draw.brush.tip_file) : nullptr;
     const ConvolveJob job = convolve_job(draw, frame.quality, bitmap);
-    const gpu::Rect cleared = world.resource<LineLayer>().rect();
-    graph.add_pass<InkPass>(
+    render.graph.add_pass<InkPass>(
         fmt::format("brush_{}", index),
         [&](gpu::PassBuilder& pass, InkPass& data) {
             data.place = pass.read(stamps.place);
@@ -168,31 +163,17 @@ void BrushPasses::declare_ink(World& world, std::size_t index, const Stamps& sta
             const std::vector<gpu::TextureDesc> descs = job.scratch(view.width, view.height);
             for (std::size_t i = 0; i < descs.size(); ++i)
                 data.scratch.push_back(pass.create(fmt::format("brush_sum_{}_{}", index, i), descs[i]));
-            const TextureHandle below = graph.find("line_layer");
-            data.clear = !below;
-            data.layer =
-                below ? pass.write(below) : pass.create("line_layer", {view.width, view.height, gpu::Format::rgba16f});
-            graph.publish("line_layer", data.layer);
-            pass.depends_on(paint_key(draw), cleared.x, cleared.y, cleared.width, cleared.height,
-                            render.shaders->generation());
-            depend_on_rect(pass, draw.rect);
+            data.lines = write_line_layer(world, pass);
+            pass.depends_on(paint_key(draw), render.shaders->generation());
+            pass.draws_in(draw.rect);
         },
-        [this, &world, &render, job, cleared](const InkPass& data, gpu::PassContext& pass) {
-            if (data.clear) {
-                // Compose looks at the rectangle of all lines alone, who asks for the layer as an AOV at all of it.
-                const bool whole = !world.resource<FrameRequests>().aovs.empty();
-                const gpu::Framebuffer& layer = render.backend->framebuffer({pass.texture(data.layer)});
-                layer.bind();
-                gpu::DrawState state{.viewport = {0, 0, layer.width(), layer.height()}};
-                if (!whole) state.scissor = cleared;
-                gpu::apply(state);
-                layer.clear_color(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
-            }
+        [this, &world, &render, job](const InkPass& data, gpu::PassContext& pass) {
+            bind_line_layer(world, pass, data.lines);
             ConvolveJob run = job;
             run.places = pass.texture(data.place);
             run.inks = pass.texture(data.ink);
             run.canvas.texture = data.noise ? pass.texture(data.noise) : 0;
-            run.target = pass.texture(data.layer);
+            run.target = pass.texture(data.lines.layer);
             std::vector<std::uint32_t> scratch;
             for (const TextureHandle handle : data.scratch) scratch.push_back(pass.texture(handle));
             convolver_.run(render, run, scratch);

@@ -64,10 +64,15 @@ float weight_reach(const ImplicitBrush& brush, const View& view, float metre) {
     return std::min(counts, std::min(largest_stamp, pixels_of(brush.window, brush, view, metre)));
 }
 
+float largest_shift(const ImplicitBrush& brush) {
+    // Noise moves along both axes of the picture.
+    return std::abs(brush.shift_along) + std::abs(brush.shift_across) + std::sqrt(2.0f) * brush.wobble;
+}
+
 float ink_reach(const ImplicitBrush& brush, const View& view, float metre) {
-    const float moved = std::abs(brush.shift_along) + std::abs(brush.shift_across) + 1.42f * brush.wobble;
     // The corner of a square stamp is farthest.
-    return weight_reach(brush, view, metre) + (1.42f + moved) * largest_radius(brush, view, metre);
+    const float stamp = (std::sqrt(2.0f) + largest_shift(brush)) * largest_radius(brush, view, metre);
+    return weight_reach(brush, view, metre) + stamp;
 }
 
 FeatureKey feature_key(const ImplicitBrush& brush, const View& view) {

@@ -42,6 +42,9 @@ inline constexpr float least_spread = 0.5f;
 /// The largest radius of a stamp, px, where a metre is at most `metre` pixels.
 [[nodiscard]] float largest_radius(const ImplicitBrush& brush, const View& view, float metre);
 
+/// How far stamps are moved from their pixels at most, in radii of the stamp.
+[[nodiscard]] float largest_shift(const ImplicitBrush& brush);
+
 /// How far from a line pixels count, px, likewise.
 [[nodiscard]] float weight_reach(const ImplicitBrush& brush, const View& view, float metre);
 

@@ -51,9 +51,7 @@ const std::array<FeatureAov, 6>& feature_aovs() {
          "texel.b",
          {}},
         {"profile_curvature",
-         "how far the height falls over half a window beside the line, by its second derivative there; 0 where there "
-         "is "
-         "none",
+         "how far the height falls over half a window beside the line, by its second derivative; 0 where there is none",
          {"profile_curvature"},
          true,
          "texel.a",
@@ -76,7 +74,7 @@ void declare_aov(World& world, const FeatureAov& aov, gpu::TextureHandle texture
             data.texture = pass.read(texture);
             data.aov = pass.create(aov.name, {view.width, view.height, two ? gpu::Format::rg32f : gpu::Format::r32f});
             render.graph.publish(aov.name, data.aov);
-            pass.depends_on(rect.x, rect.y, rect.width, rect.height, render.shaders->generation());
+            pass.depends_on(rect, render.shaders->generation());
         },
         [&render, &aov, two, rect](const AovPass& data, gpu::PassContext& pass) {
             const gpu::Framebuffer& target = render.backend->framebuffer({pass.texture(data.aov)});

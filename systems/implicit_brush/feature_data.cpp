@@ -1,6 +1,6 @@
 #include <hachure/systems/implicit_brush/feature_data.h>
 #include <hachure/systems/implicit_brush/field_pass.h>
-#include <hachure/systems/implicit_brush/slope_diffusion.h>
+#include <hachure/systems/implicit_brush/widen_job.h>
 
 #include <algorithm>
 #include <cmath>

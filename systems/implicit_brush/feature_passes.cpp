@@ -48,9 +48,8 @@ int feature_margin(const FeatureKey& key) {
 }
 
 void depend_on(gpu::PassBuilder& pass, const RenderContext& render, const FeatureKey& key, const gpu::Rect& rect) {
-    pass.depends_on(static_cast<int>(key.feature), key.window, rect.x, rect.y, rect.width, rect.height,
-                    render.shaders->generation());
-    pass.covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
+    pass.depends_on(key.feature, key.window, render.shaders->generation());
+    pass.draws_in(rect);
 }
 
 /// Passes of one key.
@@ -173,11 +172,6 @@ std::vector<FeatureRequest> one_per_key(std::span<const FeatureRequest> requests
 
 } // namespace
 
-FeatureImage feature_image(const World& world) {
-    const FeatureImage* wanted = world.find<FeatureImage>(world.resource<View>().camera);
-    return resolved(wanted ? *wanted : FeatureImage{});
-}
-
 void request_feature_sources(const DrawList& list, const PictureList& shown, std::span<const FeatureRequest> requests,
                              FrameRequests& frame) {
     if (requests.empty()) return;
@@ -192,10 +186,9 @@ void request_feature_sources(const DrawList& list, const PictureList& shown, std
     }
 }
 
-std::vector<FeatureTextures> FeaturePasses::declare(World& world, std::span<const FeatureRequest> requests,
-                                                    const gpu::Rect& rect) {
+std::vector<FeatureTextures> FeaturePasses::declare(World& world, const FeatureImage& quality,
+                                                    std::span<const FeatureRequest> requests, const gpu::Rect& rect) {
     if (requests.empty() || rect.width <= 0 || rect.height <= 0) return {};
-    const FeatureImage quality = feature_image(world);
     const std::vector<FeatureRequest> wanted = one_per_key(requests);
     int margin = 0;
     for (const FeatureRequest& request : wanted)

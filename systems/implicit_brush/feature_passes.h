@@ -36,9 +36,6 @@ struct FeatureTextures {
     gpu::TextureHandle profile;
 };
 
-/// The FeatureImage on the camera's entity, or the default one, with `custom`'s fields set to those of its quality.
-[[nodiscard]] FeatureImage feature_image(const World& world);
-
 /// Asks the frame for the textures that these features are found in; call it in stage `material`.
 void request_feature_sources(const DrawList& list, const PictureList& pictures,
                              std::span<const FeatureRequest> requests, FrameRequests& frame);
@@ -49,7 +46,9 @@ class FeaturePasses {
 public:
     /// The textures of each request, in their order; requests with equal keys share them. `rect` is where brushes need
     /// them, px of the view. An empty `requests` declares nothing.
-    std::vector<FeatureTextures> declare(World& world, std::span<const FeatureRequest> requests, const gpu::Rect& rect);
+    /// `quality` is a resolved one.
+    std::vector<FeatureTextures> declare(World& world, const FeatureImage& quality,
+                                         std::span<const FeatureRequest> requests, const gpu::Rect& rect);
 };
 
 } // namespace hachure

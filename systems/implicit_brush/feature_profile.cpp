@@ -32,7 +32,7 @@ void mark_candidates(RenderContext& render, const FeatureProfileJob& job, gpu::D
 }
 
 void find_profiles(RenderContext& render, const FeatureProfileJob& job, gpu::DrawState state, bool singular) {
-    gpu::ProgramSource source{.vertex = "implicit_brush/marked.vert", .fragment = "implicit_brush/profile.frag"};
+    gpu::ProgramSource source{.vertex = "common/marked.vert", .fragment = "implicit_brush/profile.frag"};
     source.defines = {{"TAPS", std::to_string(job.taps)}, {"FITS", std::to_string(job.fits)}};
     if (job.window.world_depth) source.defines.push_back({"WORLD_WINDOW", ""});
     if (singular) source.defines.push_back({"JUNCTIONS", ""});

@@ -14,13 +14,14 @@ namespace hachure {
 
 /// A program that makes a field of the picture, pixel by pixel.
 [[nodiscard]] inline gpu::ProgramSource field_program(std::string fragment) {
-    return {.vertex = "implicit_brush/field.vert", .fragment = std::move(fragment)};
+    return {.vertex = "common/full_screen.vert", .fragment = std::move(fragment)};
 }
 
 /// A part of a field: a rectangle, and in it where a depth buffer (reversed) has something, if there is one.
 struct FieldPart {
     gpu::Rect rect;
     std::uint32_t depth_buffer = 0;
+    bool fresh = true; ///< the field holds anything, also where the depth buffer is empty
 };
 
 /// Draws a program over a part of `to`, with textures bound to units 0, 1, ... (0 leaves a unit as it is). Its uniform
@@ -34,7 +35,7 @@ inline void draw_field(RenderContext& render, gpu::Program& program, const Field
     gpu::apply({.viewport = {0, 0, target.width(), target.height()},
                 .scissor = rect,
                 .depth_test = part.depth_buffer ? gpu::DepthTest::less : gpu::DepthTest::off});
-    if (part.depth_buffer) target.clear_color(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+    if (part.depth_buffer && part.fresh) target.clear_color(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
     GLuint unit = 0;
     for (const std::uint32_t id : textures) {
         if (id) render.backend->texture(id).bind(unit);

@@ -1,5 +1,6 @@
 #include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/implicit_brush/feature_aovs.h>
+#include <hachure/systems/implicit_brush/feature_quality.h>
 #include <hachure/systems/implicit_brush/select_brushes.h>
 
 #include <algorithm>
@@ -189,9 +190,7 @@ private:
 /// Maps that someone asks for cover the view, and are those of occluding contours where no brush paints.
 void add_requested(const View& view, const FrameRequests& requests, BrushFrame& frame) {
     if (!wants_feature_aovs(requests)) return;
-    if (frame.features.empty()) {
-        frame.features.push_back({feature_key(ImplicitBrush{}, view)});
-    }
+    if (frame.features.empty()) frame.features.push_back({feature_key(ImplicitBrush{}, view)});
     FeatureRequest& shown = frame.features[frame.draws.empty() ? 0 : frame.draws.front().feature];
     shown = {shown.key};
     frame.sought = {0, 0, view.width, view.height};
@@ -203,7 +202,7 @@ void select_brushes(PlacedBrushes brushes, Query<const Children> branches, Query
                     Query<const FeatureImage> qualities, const DrawList& list, const PictureList& pictures,
                     const View& view, FrameRequests& requests, BrushFrame& frame, LineLayer& layer) {
     const auto quality = qualities.find(view.camera);
-    frame = {.quality = quality ? std::get<const FeatureImage&>(*quality) : FeatureImage{}};
+    frame = {.quality = resolved(quality ? std::get<const FeatureImage&>(*quality) : FeatureImage{})};
     const std::vector<Painter> painters = painters_of(brushes, cameras, view);
     if (!painters.empty()) // frames without brushes allocate nothing for them
         BrushSelection(branches, canvases_of(list, pictures, view), view, frame).run(painters);

@@ -20,6 +20,10 @@ struct ReliefPass {
     TextureHandle depth_buffer, normals, picture_depth, picture_normals, slopes;
 };
 
+struct MeanPass {
+    TextureHandle fine, slopes;
+};
+
 struct TonePass {
     TextureHandle color, depth_buffer, picture_tone, tones;
 };
@@ -41,8 +45,8 @@ TextureHandle read_named(gpu::FrameGraph& graph, gpu::PassBuilder& pass, const c
 std::uint32_t id_of(const gpu::PassContext& pass, TextureHandle handle) { return handle ? pass.texture(handle) : 0; }
 
 void depend_on(gpu::PassBuilder& pass, const RenderContext& render, const gpu::Rect& rect) {
-    pass.depends_on(rect.x, rect.y, rect.width, rect.height, render.shaders->generation());
-    pass.covers(static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height));
+    pass.depends_on(render.shaders->generation());
+    pass.draws_in(rect);
 }
 
 gpu::TextureDesc slope_desc(const World& world, const FeatureImage& quality) {
@@ -75,6 +79,10 @@ bool is_drawn_alone(const World& world) {
     return !(graph.find("picture_depth") && graph.find("picture_normal"));
 }
 
+/// What another renderer made has no samples.
+SlopePasses::SlopePasses(World& world, const FeatureImage& quality, const gpu::Rect& rect)
+    : world_(world), quality_(quality), rect_(rect), samples_(is_drawn_alone(world) ? quality.samples : 1) {}
+
 TextureHandle SlopePasses::made(SlopeKind kind, int steps, float half_break) const {
     for (const Made& m : made_)
         if (m.kind == kind && m.steps == steps && m.half_break == half_break) return m.texture;
@@ -101,31 +109,54 @@ TextureHandle SlopePasses::breaks(float half_break) {
 TextureHandle SlopePasses::declare_relief(SlopeKind kind, float half_break) {
     RenderContext& render = world_.resource_mutable<RenderContext>();
     gpu::FrameGraph& graph = render.graph;
-    const std::string name =
+    if (samples_ > 1 && !fine_surface_) fine_surface_ = declare_fine_surface(world_, samples_, rect_);
+    const std::string kind_name =
         kind == SlopeKind::surface ? std::string("brush_slope") : fmt::format("brush_breaks_{}", half_break);
-    const gpu::Rect rect = rect_;
+    const std::string name = samples_ > 1 ? kind_name + "_fine" : kind_name;
+    const gpu::Rect rect = fine_rect(rect_, samples_);
+    const int samples = samples_;
     const ReliefPass& made = graph.add_pass<ReliefPass>(
         name,
         [&](gpu::PassBuilder& pass, ReliefPass& data) {
-            data.depth_buffer = pass.read(graph.find("depth_buffer"));
-            data.normals = pass.read(graph.find("normal"));
+            data.depth_buffer = pass.read(fine_surface_ ? fine_surface_->depth_buffer : graph.find("depth_buffer"));
+            data.normals = pass.read(fine_surface_ ? fine_surface_->normals : graph.find("normal"));
             data.picture_depth = read_named(graph, pass, "picture_depth");
             data.picture_normals = read_named(graph, pass, "picture_normal");
-            data.slopes = pass.create(name, slope_desc(world_, quality_));
+            const View fine = fine_view(world_.resource<View>(), samples);
+            data.slopes = pass.create(name, {fine.width, fine.height, feature_format(quality_.storage)});
             depend_on(pass, render, rect);
             pass.depends_on(world_.resource<View>().key());
         },
-        [&world = world_, &render, kind, half_break, rect](const ReliefPass& data, gpu::PassContext& pass) {
-            render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
+        [&world = world_, &render, kind, half_break, rect, samples](const ReliefPass& data, gpu::PassContext& pass) {
+            render.view_uniforms.bind(fine_view(world.resource<View>(), samples), world.resource<LightList>());
             SlopeJob{.kind = kind,
                      .depth_buffer = pass.texture(data.depth_buffer),
                      .normals = pass.texture(data.normals),
                      .picture_depth = id_of(pass, data.picture_depth),
                      .picture_normals = id_of(pass, data.picture_normals),
-                     .half_break = half_break,
+                     .half_break = half_break * static_cast<float>(samples),
                      .rect = rect,
                      .to = pass.texture(data.slopes)}
                 .run(render);
+        });
+    return samples > 1 ? declare_mean(kind, kind_name, made.slopes) : made.slopes;
+}
+
+TextureHandle SlopePasses::declare_mean(SlopeKind kind, const std::string& name, TextureHandle fine) {
+    RenderContext& render = world_.resource_mutable<RenderContext>();
+    const gpu::Rect rect = rect_;
+    const MeanPass& made = render.graph.add_pass<MeanPass>(
+        name,
+        [&](gpu::PassBuilder& pass, MeanPass& data) {
+            data.fine = pass.read(fine);
+            data.slopes = pass.create(name, slope_desc(world_, quality_));
+            depend_on(pass, render, rect);
+        },
+        [&render, kind, rect](const MeanPass& data, gpu::PassContext& pass) {
+            gpu::ProgramSource source = field_program("implicit_brush/mean_slope.frag");
+            if (kind == SlopeKind::breaks) source.defines.push_back({"BREAKS", ""});
+            draw_field(render, render.shaders->program(source), {rect}, pass.texture(data.slopes),
+                       {pass.texture(data.fine)});
         });
     return made.slopes;
 }
@@ -145,7 +176,7 @@ TextureHandle SlopePasses::declare_tones() {
             const View& view = world_.resource<View>();
             data.tones = pass.create("brush_tone", {view.width, view.height, gpu::Format::rg32f});
             depend_on(pass, render, rect);
-            pass.depends_on(pictures.x, pictures.y, pictures.width, pictures.height);
+            pass.depends_on(pictures);
         },
         [&render, rect, pictures](const TonePass& data, gpu::PassContext& pass) {
             gpu::ProgramSource source = field_program("implicit_brush/tone.frag");

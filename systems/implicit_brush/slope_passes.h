@@ -4,8 +4,11 @@
 #include <hachure/runtime/ecs/world.h>
 #include <hachure/runtime/gpu/frame_graph_handle.h>
 #include <hachure/runtime/gpu/framebuffer.h>
+#include <hachure/systems/implicit_brush/fine_surface.h>
 #include <hachure/systems/implicit_brush/slope_job.h>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace hachure {
@@ -22,8 +25,7 @@ namespace hachure {
 class SlopePasses {
 public:
     /// `rect`: where slopes are made.
-    SlopePasses(World& world, const FeatureImage& quality, const gpu::Rect& rect)
-        : world_(world), quality_(quality), rect_(rect) {}
+    SlopePasses(World& world, const FeatureImage& quality, const gpu::Rect& rect);
 
     /// Slopes after so many steps of diffusion; not for breaks.
     gpu::TextureHandle slopes(SlopeKind kind, int steps);
@@ -40,6 +42,7 @@ private:
 
     gpu::TextureHandle made(SlopeKind kind, int steps, float half_break) const;
     gpu::TextureHandle declare_relief(SlopeKind kind, float half_break);
+    gpu::TextureHandle declare_mean(SlopeKind kind, const std::string& name, gpu::TextureHandle fine);
     gpu::TextureHandle declare_tones();
     gpu::TextureHandle declare_tone_slopes();
     gpu::TextureHandle declare_diffusion(SlopeKind kind, int steps);
@@ -47,6 +50,8 @@ private:
     World& world_;
     FeatureImage quality_; ///< resolved
     gpu::Rect rect_;
+    int samples_; ///< of a pixel, to a side
+    std::optional<FineSurface> fine_surface_;
     std::vector<Made> made_;
 };
 

@@ -26,7 +26,7 @@ void declare_weight_map(World& world, std::span<const BrushInk> inks) {
         [&](gpu::PassBuilder& pass, WeightPass& data) {
             for (const BrushInk& ink : drawn) {
                 data.inks.push_back(pass.read(ink.ink));
-                pass.depends_on(ink.rect.x, ink.rect.y, ink.rect.width, ink.rect.height);
+                pass.depends_on(ink.rect);
             }
             data.weight = pass.create("brush_weight", {view.width, view.height, gpu::Format::r32f});
             render.graph.publish("brush_weight", data.weight);

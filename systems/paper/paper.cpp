@@ -94,8 +94,7 @@ private:
                 data.papered = paper.on_shading ? pass.create("paper_color", desc) : data.color;
                 graph.publish("color", data.papered);
                 pass.depends_on(version_, paper.strength, paper.pressure, paper.softness, paper.on_lines,
-                                paper.on_shading, settings_.bare, rect.x, rect.y, rect.width, rect.height,
-                                render.shaders->generation());
+                                paper.on_shading, settings_.bare, rect, render.shaders->generation());
                 pass.covers(paper.on_shading ? pixels(desc.width, desc.height) : pixels(rect.width, rect.height));
             },
             [this, &render](const PaperTextures& data, gpu::PassContext& pass) { draw(render, data, pass); });
@@ -164,7 +163,8 @@ void register_paper(App& app) {
         .after("edge_lines.pass")
         .after("abstracted_lines.pass")
         .after("velocity.pass")
-        .after("implicit_brush.pass");
+        .after("implicit_brush.pass")
+        .after("shade_strokes.pass");
 }
 
 } // namespace hachure

@@ -3,6 +3,7 @@
 #include <hachure/runtime/error.h>
 #include <hachure/tests/benchmarks/bench_report.h>
 #include <hachure/tests/benchmarks/implicit_brush_convolution.h>
+#include <hachure/tests/benchmarks/implicit_brush_feature_chart.h>
 #include <hachure/tests/benchmarks/implicit_brush_features.h>
 #include <hachure/tests/benchmarks/implicit_brush_noise.h>
 
@@ -19,6 +20,7 @@ void write_chart(const char* path, bool quick) {
     const std::unique_ptr<gpu::Context> context = gpu::make_context();
     std::ofstream file(path);
     file << "panel,series,label,x,y\n";
+    bench::write_feature_rows(file, *context, quick);
     bench::write_convolution_rows(file, *context, {}, quick);
     if (!file.flush()) throw Error(path, "the file could not be written");
 }

@@ -1,6 +1,7 @@
 #include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/geometry/bounds.h>
 #include <hachure/runtime/gpu/gl.h>
+#include <hachure/systems/implicit_brush/widen_job.h>
 #include <hachure/systems/model/spawn_model.h>
 #include <hachure/tests/benchmarks/implicit_brush_features.h>
 #include <hachure/tests/support/feature_scene.h>

@@ -68,13 +68,14 @@ TEST(List, MarkdownIsForComponents) {
 
 TEST(List, Aovs) {
     const std::vector<std::string> lines = list("aovs");
-    EXPECT_EQ(lines.size(), 24u);
+    EXPECT_EQ(lines.size(), 27u);
     EXPECT_NE(line_of(lines, "velocity").find("velocity.X velocity.Y"), std::string::npos);
     EXPECT_NE(line_of(lines, "depth").find(" Z "), std::string::npos);
     EXPECT_NE(line_of(lines, "color").find("R G B"), std::string::npos);
     line_of(lines, "normal");
     line_of(lines, "object_id");
     line_of(lines, "line_layer");
+    for (const char* name : {"shade_needed", "shade_delivered", "stroke_coverage"}) line_of(lines, name);
     line_of(lines, "hidden_lines");
     line_of(lines, "picture_tone");
     line_of(lines, "picture_normal");

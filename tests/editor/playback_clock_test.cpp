@@ -2,6 +2,7 @@
 #include <hachure/components/implicit_brush.h>
 #include <hachure/components/morph_weights.h>
 #include <hachure/components/rig.h>
+#include <hachure/components/shade_strokes.h>
 #include <hachure/components/transform.h>
 #include <hachure/editor/frame_walk.h>
 #include <hachure/editor/playback_clock.h>
@@ -10,6 +11,7 @@
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/model/spawn_model.h>
+#include <hachure/systems/shade_strokes/shade_strokes.h>
 #include <hachure/systems/transform/transform.h>
 #include <hachure/tests/support/arm_model.h>
 
@@ -54,6 +56,15 @@ TEST(PlaybackClock, StepsWhereNoiseIsCarriedAlong) {
     const Entity brush = app.world().create_with(ImplicitBrush{.grain = BrushGrain::solid});
     EXPECT_FALSE(needs_stepping(app));
     app.world().get_mutable<ImplicitBrush>(brush).grain = BrushGrain::advected;
+    EXPECT_TRUE(needs_stepping(app));
+}
+
+/// Strokes depend on how the light came to be what it is.
+TEST(PlaybackClock, StepsWhereShadeIsKeptUp) {
+    App app;
+    register_shade_strokes(app);
+    EXPECT_FALSE(needs_stepping(app));
+    app.world().create_with(ShadeStrokes{});
     EXPECT_TRUE(needs_stepping(app));
 }
 

@@ -83,6 +83,19 @@ TEST_F(Stats, CountsWhatIsDrawn) {
     const json fewer = render({"--set", "left/surface.visible=false"})["frames"][0]["counts"];
     EXPECT_EQ(fewer["surfaces_drawn"], 1);
     EXPECT_EQ(fewer["triangles_drawn"], 2);
+    EXPECT_EQ(fewer["shade_segments"], 0);
+}
+
+TEST_F(Stats, CountsShadeStrokes) {
+    const auto counts = [&](const char* frame) {
+        return render({"--style", "strokes", "--frames", frame})["frames"][0]["counts"];
+    };
+    const json first = counts("0"), later = counts("1");
+    EXPECT_EQ(first["shade_triangles_swept"], 4);
+    for (const char* name : {"shade_triangles_touched", "shade_chains", "shade_segments", "shade_vertices"})
+        EXPECT_GT(first[name], 0) << name;
+    EXPECT_EQ(later["shade_segments"], first["shade_segments"]);
+    for (const char* name : {"shade_triangles_swept", "shade_triangles_touched"}) EXPECT_EQ(later[name], 0) << name;
 }
 
 TEST_F(Stats, NamesThePassesOfTheStyle) {

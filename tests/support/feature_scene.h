@@ -4,6 +4,7 @@
 #include <hachure/runtime/scene/view_rects.h>
 #include <hachure/systems/implicit_brush/feature_aovs.h>
 #include <hachure/systems/implicit_brush/feature_passes.h>
+#include <hachure/systems/implicit_brush/feature_quality.h>
 #include <hachure/systems/picture/picture.h>
 #include <hachure/tests/support/drawn_scene.h>
 #include <hachure/tests/support/feature_finding.h>
@@ -81,7 +82,9 @@ private:
     void declare(World& world) {
         const View& view = world.resource<View>();
         const gpu::Rect rect = rect_.width > 0 ? rect_ : gpu::Rect{0, 0, view.width, view.height};
-        const std::vector<FeatureTextures> textures = passes_->declare(world, requests_, rect);
+        const FeatureImage* quality = world.find<FeatureImage>(view.camera);
+        const std::vector<FeatureTextures> textures =
+            passes_->declare(world, resolved(quality ? *quality : FeatureImage{}), requests_, rect);
         if (textures.empty()) return;
         declare_feature_aovs(world, textures.front(), rect);
         struct Read {

@@ -32,10 +32,12 @@ public:
             const TrueCircle& at = nearest(r);
             const bool expected = std::abs(r - at.radius) <= near_;
             const PixelProfile& profile = profiles[i];
-            if (expected) expected_ += 1.0;
-            if (profile.height < least_height) continue;
             const double place = glm::distance(p + profile.offset, middle_);
-            if (place < inner_ || place > outer_) continue;
+            if (expected) {
+                const double off = profile.height < least_height ? near_ : std::abs(place - at.radius);
+                expected_ += 1.0, all_squares_ += std::min(off * off, near_ * near_);
+            }
+            if (profile.height < least_height || place < inner_ || place > outer_) continue;
             const TrueCircle& line = nearest(place);
             const double error = std::abs(place - line.radius);
             found_ += 1.0;
@@ -49,6 +51,8 @@ public:
     }
 
     [[nodiscard]] double rms() const { return std::sqrt(squares_ / recalled_); }
+    /// The same with all that should be found: what is farther than `near`, or is not found, is as far as that.
+    [[nodiscard]] double rms_of_all() const { return std::sqrt(all_squares_ / expected_); }
     [[nodiscard]] double largest() const { return largest_; } ///< px
     [[nodiscard]] double recall() const { return recalled_ / expected_; }
     [[nodiscard]] double precision() const { return right_ / found_; }
@@ -88,6 +92,7 @@ private:
     double inner_, outer_, near_;
     std::vector<TrueCircle> circles_;
     double expected_ = 0.0, found_ = 0.0, right_ = 0.0, recalled_ = 0.0, squares_ = 0.0, largest_ = 0.0;
+    double all_squares_ = 0.0;
     double height_error_ = 0.0;
     std::vector<Spread> spread_;
 };

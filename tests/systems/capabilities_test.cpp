@@ -16,6 +16,7 @@
 #include <hachure/systems/paper/paper.h>
 #include <hachure/systems/picture/picture.h>
 #include <hachure/systems/script/script.h>
+#include <hachure/systems/shade_strokes/shade_strokes.h>
 #include <hachure/systems/surface/surface.h>
 #include <hachure/systems/timeline/timeline.h>
 #include <hachure/systems/toon/toon.h>
@@ -66,16 +67,26 @@ struct Capability {
     void (*add)(App&);
 };
 constexpr Capability capabilities[] = {
-    {"transform", register_transform}, {"camera", register_camera},
-    {"light", register_light},         {"surface", register_surface},
-    {"gooch", register_gooch},         {"edge_lines", register_edge_lines},
-    {"compose", register_compose},     {"animation", register_animation},
-    {"deform", register_deform},       {"velocity", register_velocity},
-    {"curvature", register_curvature}, {"timeline", register_timeline},
-    {"script", register_script},       {"metal", register_metal},
-    {"toon", register_toon},           {"abstracted_lines", register_abstracted_lines},
-    {"picture", register_picture},     {"paper", register_paper},
+    {"transform", register_transform},
+    {"camera", register_camera},
+    {"light", register_light},
+    {"surface", register_surface},
+    {"gooch", register_gooch},
+    {"edge_lines", register_edge_lines},
+    {"compose", register_compose},
+    {"animation", register_animation},
+    {"deform", register_deform},
+    {"velocity", register_velocity},
+    {"curvature", register_curvature},
+    {"timeline", register_timeline},
+    {"script", register_script},
+    {"metal", register_metal},
+    {"toon", register_toon},
+    {"abstracted_lines", register_abstracted_lines},
+    {"picture", register_picture},
+    {"paper", register_paper},
     {"implicit_brush", register_implicit_brush},
+    {"shade_strokes", register_shade_strokes},
 };
 
 TEST(CapabilitiesTest, NoTwoSystemsOfAStageRace) {
@@ -108,7 +119,7 @@ TEST(CapabilitiesTest, OrderIsNotThatOfRegistration) {
     EXPECT_THAT(names_in(app, Stage::render),
                 ElementsAre("deform.pass", "surface.passes", "picture.pass", "gooch.pass", "metal.pass", "toon.pass",
                             "edge_lines.pass", "abstracted_lines.pass", "velocity.pass", "implicit_brush.pass",
-                            "compose.blank", "paper.pass", "compose.passes"));
+                            "shade_strokes.pass", "compose.blank", "paper.pass", "compose.passes"));
 }
 
 /// What draws talks to OpenGL, whose context belongs to one thread, and what users write may touch anything; the rest

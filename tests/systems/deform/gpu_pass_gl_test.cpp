@@ -6,6 +6,7 @@
 #include <hachure/components/gooch.h>
 #include <hachure/components/morph_weights.h>
 #include <hachure/components/rig.h>
+#include <hachure/components/shade_strokes.h>
 #include <hachure/systems/animation/animation.h>
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/model/spawn_model.h>
@@ -117,6 +118,12 @@ TEST_P(GpuPassTest, StaysOnTheCpuForThoseWhoLookAtPositions) {
     EXPECT_FALSE(on_gpu());
     EXPECT_EQ(world().get<Deformed>(surface()).positions.size(), 84u);
     world().remove<EdgeLines>(surface());
+    scene->draw();
+    EXPECT_TRUE(on_gpu());
+    world().add(surface(), ShadeStrokes{.cells = 100});
+    scene->draw();
+    EXPECT_FALSE(on_gpu());
+    world().remove<ShadeStrokes>(surface());
     scene->draw();
     EXPECT_TRUE(on_gpu());
     world().get_mutable<Deform>(surface()).normals = DeformedNormals::recomputed;

@@ -38,7 +38,8 @@ TEST(BrushStyleTest, PixelsCountUntilTheirWeightFallsToTheCutoff) {
     const double reach = double(weight_reach(brush, view, 1.0f));
     EXPECT_NEAR(std::exp(-0.5 * reach * reach / 9.0), 0.01, 1e-5);
     EXPECT_FLOAT_EQ(weight_reach({.window = 2.0f, .spread = 30.0f}, view, 1.0f), 2.0f) << "never beyond the window";
-    EXPECT_GE(ink_reach(brush, view, 1.0f), weight_reach(brush, view, 1.0f) + 1.42f * brush.size);
+    EXPECT_FLOAT_EQ(ink_reach(brush, view, 1.0f), weight_reach(brush, view, 1.0f) + std::sqrt(2.0f) * brush.size)
+        << "and beyond that the corner of a square stamp";
 }
 
 TEST(BrushStyleTest, AFeatureIsSharedWithWhatLooksForTheSame) {

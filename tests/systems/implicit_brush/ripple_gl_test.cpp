@@ -5,7 +5,7 @@
 #include <hachure/tests/support/feature_scene.h>
 #include <hachure/tests/support/gl_fixture.h>
 #include <hachure/tests/support/ripple_mesh.h>
-#include <hachure/tests/support/ripple_score.h>
+#include <hachure/tests/support/ripple_relief.h>
 
 #include <gtest/gtest.h>
 
@@ -21,27 +21,6 @@ using test::SlopeImage;
 using test::TrueCircle;
 namespace ripple = test::ripple;
 
-constexpr int ripple_size = 256;
-constexpr double scale = 6.0; // px of a unit of the ripple's radius: its wavelength is 38 px
-const glm::dvec2 ripple_middle(128.3, 127.6);
-
-/// Where a height over the radius (units) has its lines.
-std::vector<TrueCircle> circles(const std::function<double(double)>& height, double window) {
-    std::vector<TrueCircle> all;
-    for (const double r : test::maxima(height, 2.5, 24.0)) {
-        constexpr double step = 1e-3;
-        const double second = (height(r + step) - 2.0 * height(r) + height(r - step)) / (step * step);
-        all.push_back({scale * r, height(r), -second / (scale * scale) * window * window / 8.0});
-    }
-    return all;
-}
-
-RippleScore score(const std::vector<test::PixelProfile>& profiles, const std::vector<TrueCircle>& truth) {
-    RippleScore result(ripple_middle, 2.2 * scale, 20.0 * scale, 2.0, truth);
-    result.add(profiles, ripple_size, 0.5 * truth.back().height); // what a brush for the faintest line would ask for
-    return result;
-}
-
 void expect_accurate(const RippleScore& found, const char* what) {
     EXPECT_LE(found.rms(), 0.05) << what;
     EXPECT_LE(found.largest(), 0.25) << what;
@@ -50,20 +29,6 @@ void expect_accurate(const RippleScore& found, const char* what) {
     EXPECT_LE(found.height_error(), 0.02) << what;
     EXPECT_LE(found.height_spread(), 0.05) << what;
     EXPECT_LE(found.curvature_spread(), 0.05) << what;
-}
-
-/// A relief that rises by `rise` per pixel at a radius (units), away from the middle.
-SlopeImage relief(const std::function<double(double)>& rise) {
-    return SlopeImage::of(ripple_size, ripple_size, [&](glm::dvec2 p) {
-        const glm::dvec2 d = p - ripple_middle;
-        const double r = glm::length(d);
-        return rise(r / scale) * d / r;
-    });
-}
-
-std::vector<TrueCircle> scaled(std::vector<TrueCircle> all, double factor) {
-    for (TrueCircle& c : all) c.height *= factor, c.curvature *= factor;
-    return all;
 }
 
 const auto ripple_height = [](double r) { return ripple::h(r); };
@@ -89,16 +54,16 @@ TEST(RippleReference, FindsTheKnownRadii) {
 TEST_P(RippleTest, AsAnImage) {
     RenderContext render(context());
     const ripple::Integral tone(30.0);
-    const test::Tones tones = test::draw_points(ripple_size, ripple_size, 1, [&](glm::dvec2 p) {
-        return 0.5 + 0.4 * tone.once(std::min(glm::distance(p, ripple_middle) / scale, 30.0));
+    const test::Tones tones = test::draw_points(ripple::size, ripple::size, 1, [&](glm::dvec2 p) {
+        return 0.5 + 0.4 * tone.once(std::min(glm::distance(p, ripple::middle) / ripple::scale, 30.0));
     });
     for (const float window : {4.0f, 6.0f, 8.0f}) {
-        test::FeatureFinding finding(render, {.feature = BrushFeature::luminance_edges, .window = window}, ripple_size,
-                                     ripple_size);
+        test::FeatureFinding finding(render, {.feature = BrushFeature::luminance_edges, .window = window}, ripple::size,
+                                     ripple::size);
         finding.find(tones);
-        const double factor = 0.4 * static_cast<double>(window) / scale;
-        const RippleScore found =
-            score(finding.profiles(), scaled(circles(ripple_steepness, static_cast<double>(window)), factor));
+        const double factor = 0.4 * static_cast<double>(window) / ripple::scale;
+        const RippleScore found = ripple::score(
+            finding.profiles(), ripple::scaled(ripple::circles(ripple_steepness, static_cast<double>(window)), factor));
         expect_accurate(found, "luminance edges");
         EXPECT_NEAR(found.curvature_error(1), 0.0, 0.08) << window;
     }
@@ -114,43 +79,51 @@ TEST_P(RippleTest, AsAHeightField) {
             const auto w = static_cast<double>(window);
             test::FeatureSettings settings{
                 .feature = BrushFeature::surface_edges, .window = window, .storage = storage};
-            test::FeatureFinding edges(render, settings, ripple_size, ripple_size);
-            edges.find(relief([&](double r) { return slope * ripple::h(r); }));
-            expect_accurate(score(edges.profiles(), scaled(circles(ripple_steepness, w), slope)), "surface edges");
+            test::FeatureFinding edges(render, settings, ripple::size, ripple::size);
+            edges.find(ripple::relief([&](double r) { return slope * ripple::h(r); }));
+            expect_accurate(
+                ripple::score(edges.profiles(), ripple::scaled(ripple::circles(ripple_steepness, w), slope)),
+                "surface edges");
 
-            const SlopeImage curved = relief([&](double r) { return -curvature * scale * integral.once(r); });
+            const SlopeImage curved =
+                ripple::relief([&](double r) { return -curvature * ripple::scale * integral.once(r); });
             settings.feature = BrushFeature::ridges;
-            test::FeatureFinding ridges(render, settings, ripple_size, ripple_size);
+            test::FeatureFinding ridges(render, settings, ripple::size, ripple::size);
             ridges.find(curved);
-            expect_accurate(score(ridges.profiles(), scaled(circles(ripple_height, w), curvature * w)), "ridges");
+            expect_accurate(
+                ripple::score(ridges.profiles(), ripple::scaled(ripple::circles(ripple_height, w), curvature * w)),
+                "ridges");
             settings.feature = BrushFeature::valleys;
-            test::FeatureFinding valleys(render, settings, ripple_size, ripple_size);
+            test::FeatureFinding valleys(render, settings, ripple::size, ripple::size);
             valleys.find(curved);
-            expect_accurate(score(valleys.profiles(), scaled(circles(ripple_depth, w), curvature * w)), "valleys");
+            expect_accurate(
+                ripple::score(valleys.profiles(), ripple::scaled(ripple::circles(ripple_depth, w), curvature * w)),
+                "valleys");
 
             if (storage == gpu::Format::rgba16f) continue; // whose steps are too coarse for third derivatives
             // Mean curvature is half of that along the radius and half of that around.
             settings.feature = BrushFeature::inflections;
-            test::FeatureFinding inflections(render, settings, ripple_size, ripple_size);
+            test::FeatureFinding inflections(render, settings, ripple::size, ripple::size);
             inflections.find(curved);
             const auto change = [&](double r) {
                 return std::abs(0.5 * (ripple::derivative(1, r) + ripple::h(r) / r - integral.once(r) / (r * r)));
             };
-            expect_accurate(score(inflections.profiles(), scaled(circles(change, w), curvature * w * w / scale)),
+            expect_accurate(ripple::score(inflections.profiles(), ripple::scaled(ripple::circles(change, w),
+                                                                                 curvature * w * w / ripple::scale)),
                             "inflections");
         }
 }
 
 /// The ripple itself as a relief, of triangles, through the whole of the passes: ridges where -z'' is highest.
 TEST_P(RippleTest, AsAMesh) {
-    test::FeatureScene scene(context(), {ripple_size, ripple_size});
+    test::FeatureScene scene(context(), {ripple::size, ripple::size});
     scene.scene().add(test::ripple_mesh(448, 24.0, 0.4, ripple::h, [](double r) { return ripple::derivative(1, r); }),
                       Transform{});
-    // The middle is where the other tests have it.
-    const auto offset = glm::vec2(glm::dvec2(0.5 * ripple_size) - ripple_middle) / float(scale);
-    const Entity camera =
-        scene.scene().add(Camera{.projection = Projection::orthographic, .ymag = float(0.5 * ripple_size / scale)},
-                          Transform{.translation = {offset.x, offset.y, 10.0f}});
+    // Its middle is where the other tests have it.
+    const auto offset = glm::vec2(glm::dvec2(0.5 * ripple::size) - ripple::middle) / float(ripple::scale);
+    const Entity camera = scene.scene().add(
+        Camera{.projection = Projection::orthographic, .ymag = float(0.5 * ripple::size / ripple::scale)},
+        Transform{.translation = {offset.x, offset.y, 10.0f}});
     scene.world().add(camera,
                       FeatureImage{.quality = FeatureQuality::custom, .storage = FeatureStorage::rgba32f, .fits = 3});
     constexpr float window = 6.0f;
@@ -158,8 +131,8 @@ TEST_P(RippleTest, AsAMesh) {
         scene.want({.feature = feature, .window = window});
         scene.draw();
         const auto height = [sign = sign](double r) { return sign * ripple::derivative(2, r); };
-        const double factor = 0.4 * static_cast<double>(window) / scale;
-        expect_accurate(score(scene.profiles(), scaled(circles(height, 6.0), factor)), "mesh");
+        const double factor = 0.4 * static_cast<double>(window) / ripple::scale;
+        expect_accurate(ripple::score(scene.profiles(), ripple::scaled(ripple::circles(height, 6.0), factor)), "mesh");
     }
 }
 

@@ -1,4 +1,4 @@
-#include "lay_figure.h"
+#include <hachure/samples/common/lay_figure.h>
 
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace hill_walk {
+namespace samples {
 namespace {
 
 using namespace hachure;
@@ -79,8 +79,10 @@ public:
             }
         for (std::uint32_t ring = 0; ring < rings; ++ring)
             for (std::uint32_t side = 0; side < sides; ++side) {
+                // Rings at both ends are points.
                 const std::uint32_t a = first + ring * sides + side, b = first + ring * sides + (side + 1) % sides;
-                mesh_.indices.insert(mesh_.indices.end(), {a, a + sides, b, b, a + sides, b + sides});
+                if (ring > 0) mesh_.indices.insert(mesh_.indices.end(), {a, a + sides, b});
+                if (ring + 1 < rings) mesh_.indices.insert(mesh_.indices.end(), {b, a + sides, b + sides});
             }
     }
 
@@ -233,4 +235,4 @@ assets::Model lay_figure(const Build& build) {
     return model;
 }
 
-} // namespace hill_walk
+} // namespace samples

@@ -2,7 +2,7 @@
 
 #include <hachure/runtime/assets/model.h>
 
-namespace hill_walk {
+namespace samples {
 
 /// The build of a figure.
 struct Build {
@@ -14,4 +14,4 @@ struct Build {
 /// It stands on y = 0 and looks along +Z.
 [[nodiscard]] hachure::assets::Model lay_figure(const Build& build);
 
-} // namespace hill_walk
+} // namespace samples

@@ -1,0 +1,81 @@
+#version 450 core
+// How much of a pixel a stroke covers where the surface is seen, premultiplied with its colour.
+#include "common/view.glsl"
+#include "shade_strokes/grain.glsl"
+
+layout(binding = 0) uniform sampler2D depth_buffer;
+
+noperspective in vec3 center;
+noperspective in vec3 place;
+noperspective in float part;
+noperspective in float half_width;
+flat in float alpha;
+
+uniform vec3 color;
+uniform float opacity;
+uniform float lift;    // how much lighter a stroke is at its ends than in its middle: the hand turns there
+uniform float hugging; // metres by which strokes may be off the surface
+
+layout(location = 0) out vec4 out_line;
+#ifdef COVERAGE
+layout(location = 1) out vec4 out_coverage;
+#endif
+
+const float STEEPEST = 8.0; // 1 / cosine of the angle of sight from which on no more is allowed for
+
+// A box filter one pixel wide; what is thinner than a pixel keeps its width as opacity, so that ink stays.
+float covered(float aside) {
+    float across = clamp(half_width - abs(aside) + 0.5, 0.0, min(1.0, 2.0 * half_width));
+    return across * clamp(place.y + 0.5, 0.0, 1.0) * clamp(place.z + 0.5, 0.0, 1.0);
+}
+
+float scene_at(ivec2 pixel) {
+    return texelFetch(depth_buffer, clamp(pixel, ivec2(0), textureSize(depth_buffer, 0) - 1), 0).r;
+}
+
+// How depth changes from pixel to pixel: over the side where it does less, which is the surface's own.
+float slope_at(ivec2 pixel, ivec2 axis, float here) {
+    float ahead = scene_at(pixel + axis) - here, behind = here - scene_at(pixel - axis);
+    return abs(ahead) < abs(behind) ? ahead : behind;
+}
+
+// Whether the line's middle is on the surface that a pixel shows, as far as strokes hug it. Depth in the window is
+// linear over a triangle, so the slope says how deep its plane is at the very point, and how much of an error along
+// the normal is one along the line of sight.
+bool on_surface(ivec2 pixel, vec2 from_pixel) {
+    float scene = scene_at(pixel);
+    if (center.z >= scene) return true;
+    vec2 slope = vec2(slope_at(pixel, ivec2(1, 0), scene), slope_at(pixel, ivec2(0, 1), scene));
+    float plane = max(scene + dot(slope, from_pixel), 1e-9), surface = view_depth(scene);
+    vec2 rise = vec2(view_depth(max(scene + slope.x, 1e-9)), view_depth(max(scene + slope.y, 1e-9))) - surface;
+    float metres = pixel_size * (eye.w > 0.0 ? surface : 1.0); // of a pixel
+    float steep = min(sqrt(1.0 + dot(rise, rise) / (metres * metres)), STEEPEST);
+    return view_depth(center.z) <= view_depth(plane) + hugging * steep;
+}
+
+// How much of the line's middle is seen: of the pixels around it, which lie on both sides of a silhouette.
+float visible() {
+    vec2 at = center.xy - 0.5;
+    ivec2 base = ivec2(floor(at));
+    vec2 f = at - vec2(base);
+    float seen = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        vec2 weight = mix(1.0 - f, f, vec2(corner));
+        if (on_surface(base + corner, f - vec2(corner))) seen += weight.x * weight.y;
+    }
+    return clamp(2.0 * seen - 0.5, 0.0, 1.0);
+}
+
+void main() {
+    float coverage = covered(place.x);
+    // A parabola over the way from turn to turn, of mean 1.
+    float middle = 2.0 * part - 1.0;
+    coverage *= alpha * (1.0 - lift * middle * middle) / (1.0 - lift / 3.0);
+    if (coverage <= 0.0) discard;
+    coverage = opacity * on_paper(min(coverage, 1.0)) * visible();
+    out_line = vec4(color, 1.0) * coverage;
+#ifdef COVERAGE
+    out_coverage = vec4(coverage);
+#endif
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <hachure/components/shade_strokes.h>
+#include <hachure/systems/shade_strokes/shade_settings.h>
+
+#include <algorithm>
+
+namespace hachure {
+
+/// What the CPU needs of the component, made sound: a component may hold any number that a script wrote.
+[[nodiscard]] inline ShadeSettings shade_settings(const ShadeStrokes& strokes) {
+    // std::max is its first argument where the second is no number.
+    const auto at_least = [](float least, float value) { return std::max(least, value); };
+    return {.amplitude = at_least(1e-4f, strokes.amplitude),
+            .amplitude_by_curvature = std::clamp(at_least(0.0f, strokes.amplitude_by_curvature), 0.0f, 1.0f),
+            .min_amplitude = at_least(1e-4f, strokes.min_amplitude),
+            .max_amplitude = at_least(1e-4f, strokes.max_amplitude),
+            .density = at_least(0.01f, strokes.density),
+            .chain_turn = std::clamp(at_least(0.0f, strokes.chain_turn), 0.0f, 3.14159265f),
+            .trueness = std::clamp(at_least(0.0f, strokes.trueness), 0.0f, 1.0f),
+            .dead_band = std::clamp(at_least(0.005f, strokes.dead_band), 0.005f, 0.5f),
+            .seed = strokes.seed};
+}
+
+/// The tone curve of the component.
+[[nodiscard]] inline ShadeTone shade_tone(const ShadeStrokes& strokes) {
+    return {.full_shade = std::max(0.0f, strokes.full_shade),
+            .no_shade = std::max(0.0f, strokes.no_shade),
+            .contrast = std::max(0.01f, strokes.contrast)};
+}
+
+} // namespace hachure

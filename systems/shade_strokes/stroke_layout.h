@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// Sizes that shaders/shade_strokes and the CPU agree about.
+namespace hachure::stroke_layout {
+
+inline constexpr std::size_t vector_bytes = 16;
+inline constexpr std::size_t seen_bytes = 96; ///< Seen of data.glsl
+inline constexpr std::size_t group = 64;      ///< threads of a work group, of every shader
+
+// batches.glsl
+inline constexpr std::size_t batches = 34;
+inline constexpr std::size_t most_strokes = 384;
+inline constexpr std::size_t straight_columns = 2, bent_columns = 5; ///< pairs of vertices of a stroke
+
+/// glDrawElementsIndirect.
+struct DrawCommand {
+    std::uint32_t indices, instances, first_index;
+    std::int32_t base_vertex;
+    std::uint32_t first_instance;
+};
+
+} // namespace hachure::stroke_layout
