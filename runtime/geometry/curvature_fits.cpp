@@ -12,10 +12,10 @@ namespace {
 using Fit = CurvatureFits::Fit;
 
 constexpr std::size_t curvature_block = 512; // vertices that a thread takes at once
-constexpr std::size_t pool_rings = 2;  // around a vertex, over which noise and bias are averaged
-// Differences between two levels are bias as far as they exceed this many times what noise explains beyond the once
-// that is expected: the mean over so few fits, which share most of their vertices, is no better known.
-constexpr double noise_doubt = 1.5;
+constexpr std::size_t pool_rings = 2;        // around a vertex, over which noise and bias are averaged
+// Differences between two levels are bias as far as they exceed what noise explains by this factor. Once is expected;
+// the mean over so few fits, which share most of their vertices, is no better known than that.
+constexpr double noise_doubt = 3.0;
 // Squared radians by which the error turns the normal over the patch: less is not worth a second fit.
 constexpr double least_turn = 1e-7;
 
@@ -122,7 +122,7 @@ void CurvatureFits::find_bias(const CurvedMesh& mesh, std::size_t level) {
         for (const std::uint32_t other : scratch.rings.vertices()) {
             if (last_[other] != level) continue;
             const double by_noise = std::max(0.0, noise_error(other, level - 1) - noise_error(other, level));
-            sum += squared_difference(fits_[level][other], fits_[level - 1][other]) - (1.0 + noise_doubt) * by_noise;
+            sum += squared_difference(fits_[level][other], fits_[level - 1][other]) - noise_doubt * by_noise;
             ++count;
         }
         fits_[level][v].bias = std::max(0.0, sum / count) / (share * share);

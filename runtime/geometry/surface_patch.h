@@ -36,10 +36,11 @@ struct PatchScratch {
     PatchPowers powers;
 };
 
-/// Fits the vertices that the triangles join to `vertex`. What faces away from the vertex's normal counts less, and
-/// from 84 degrees on nothing, so that no fold of the surface is taken for its continuation. Where too few vertices are
-/// left, at corners of borders and on coarse meshes, a simpler polynomial is fitted: degree 2; its second-order terms
-/// alone; a sphere's. Always finite; 0 where nothing is known.
+/// Fits the vertices that the triangles join to `vertex`, over the plane across the mean normal of its first ring. What
+/// turns from that normal by more than 37 degrees counts less, and from 73 degrees on nothing, so that no fold of the
+/// surface is taken for its continuation. Where too few vertices are left, at corners of borders and on coarse meshes,
+/// a simpler polynomial is fitted, to fewer rings: degree 2; its second-order terms alone; a sphere's. Always finite; 0
+/// where nothing is known.
 [[nodiscard]] SurfaceFit fit_surface(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                                      const VertexNeighbours& neighbours, std::uint32_t vertex,
                                      const PatchExtent& extent, PatchScratch& scratch);
