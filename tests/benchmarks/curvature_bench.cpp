@@ -15,7 +15,9 @@
 #include <ctime>
 #include <functional>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -69,6 +71,22 @@ void report_accuracy(bench::Report& report, bool quick) {
     }
 }
 
+/// The automatic method on all surfaces.
+void report_surfaces(bench::Report& report, bool quick) {
+    constexpr std::pair<const char*, test::CurvedKind> kinds[] = {{"sphere", test::CurvedKind::sphere},
+                                                                  {"ellipsoid", test::CurvedKind::ellipsoid},
+                                                                  {"cylinder", test::CurvedKind::cylinder},
+                                                                  {"monkey saddle", test::CurvedKind::monkey_saddle}};
+    for (const auto& [name, kind] : kinds)
+        for (const double noise : {0.0, 0.01, 0.05}) {
+            bench::CurvatureCase mesh(kind, noise, quick ? 16 : 64);
+            const auto figures = mesh.measure(CurvatureMethod::automatic, 0, 1);
+            const std::string title = fmt::format("{}, {:g} % noise, automatic", name, 100.0 * noise);
+            report.add(title + ": RMS", figures.rms, "%");
+            report.add(title + ": direction", figures.degrees, "degrees");
+        }
+}
+
 double best_ms(int rounds, const std::function<void()>& work) {
     double best = std::numeric_limits<double>::max();
     for (int i = 0; i < rounds; ++i) {
@@ -115,6 +133,7 @@ void report_large(bench::Report& report, bool quick) {
 int run(const bench::Arguments& arguments) {
     bench::Report report(arguments);
     report_accuracy(report, arguments.quick);
+    report_surfaces(report, arguments.quick);
     report_large(report, arguments.quick);
     return report.finish();
 }
