@@ -59,9 +59,7 @@ void add_row(const PatchPoints& points, PatchPowers& powers, PatchMoments<degree
     Pair xy[top + 1] = {}, xyz[top_z + 1] = {};
     for (std::size_t p = 0; p < points.count; p += PatchPoints::lanes) {
         const Pair y = load_pair(&powers.y[p]), yz = y * load_pair(&points.z[p]);
-#pragma GCC unroll 16
         for (std::size_t i = 0; i <= top; ++i) xy[i] += load_pair(&powers.x[i][p]) * y;
-#pragma GCC unroll 16
         for (std::size_t i = 0; i < top_z; ++i) xyz[i] += load_pair(&powers.x[i][p]) * yz;
         store_pair(&powers.y[p], y * load_pair(&points.y[p]));
     }
