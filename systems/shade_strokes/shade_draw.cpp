@@ -21,7 +21,7 @@ using gpu::BufferBinding;
 constexpr float points_per_size = 4096.0f;
 /// How far strokes lie off the surface besides what their nodes allow for, over that: across folds ribs are straight
 /// between their points, too.
-constexpr float hugging_margin = 2.0f;
+constexpr float hugging_margin = 3.0f;
 
 void run_groups(gpu::Program& program, std::size_t threads) {
     program.use();
