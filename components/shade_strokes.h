@@ -38,6 +38,7 @@ struct ShadeStrokes {
     float full_shade = 0.0f;
     float no_shade = 0.85f;
     float contrast = 1.0f;
+    float full_light = 0.0f;
     float dead_band = 0.04f;
     std::uint32_t cells = 4000;
     std::uint32_t seed = 1;
@@ -86,6 +87,9 @@ inline void reflect(TypeBuilder<ShadeStrokes>& type) {
     type.field("contrast", &ShadeStrokes::contrast)
         .doc("exponent of shade between the two: above 1 keeps strokes to the dark")
         .range(0.1, 10);
+    type.field("full_light", &ShadeStrokes::full_light)
+        .doc("intensity of a light that counts as 1, for lights that dim; 0: that of the scene's strongest light")
+        .range(0, 1e9);
     type.field("dead_band", &ShadeStrokes::dead_band)
         .doc("shade by which a place may be off before its strokes change: greater is cheaper and calmer")
         .range(0.005, 0.5);

@@ -97,7 +97,7 @@ void Figure::arrange(Canvas canvas) {
     world.set_resource(canvas);
     const float aspect = static_cast<float>(canvas.width) / static_cast<float>(canvas.height);
     const int count = static_cast<int>(copies_.size());
-    const int columns = aspect > (count > 4 ? 1.2f : 1.6f) ? 4 : aspect > 0.6f ? 2 : 1;
+    const int columns = aspect > (count > 8 ? 0.9f : count > 4 ? 1.2f : 1.6f) ? 4 : aspect > 0.6f ? 2 : 1;
     const int rows = (count + columns - 1) / columns;
     const glm::vec2 size = cell_size * glm::vec2(columns, rows);
     world.add(camera_, Camera{.projection = Projection::orthographic,

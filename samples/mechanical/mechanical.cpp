@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
             options.models.emplace_back(word);
     }
     if (options.gallery ? options.models.size() != 2 : options.models.size() > 1) return refuse();
-    if (options.size.width == 0) options.size = options.gallery ? Canvas{1200, 720} : Canvas{1600, 480};
+    if (options.size.width == 0) options.size = options.gallery ? Canvas{1200, 1080} : Canvas{1600, 480};
     try {
         return options.picture.empty() ? run_window(options) : draw_picture(options);
     } catch (const std::exception& error) {

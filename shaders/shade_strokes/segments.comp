@@ -1,9 +1,7 @@
 #version 450 core
 // What this view sees of each segment: whether anything, at which level of detail, and how wide its strokes are.
-#include "common/view.glsl"
 #include "shade_strokes/batches.glsl"
-#include "shade_strokes/ink.glsl"
-#include "shade_strokes/patch.glsl"
+#include "shade_strokes/bend.glsl"
 
 layout(local_size_x = GROUP) in;
 
@@ -19,26 +17,13 @@ layout(std430, binding = 6) writeonly buffer Counts { uint count[]; } // by grou
 counts;
 
 uniform uint segment_count;
-uniform float unit;        // of zigzags, in the mesh's units
 uniform float world_scale; // metres that one of the mesh's units is in the world
 uniform float front;       // -1 where the transform mirrors, else 1
-uniform float line_width;  // pixels, that strokes are to have where there is little shade
 uniform bool solid;        // strokes get thinner, not fainter
 
-const float MOST_WIDTH = 4.0;        // times line_width
-const float LOG_VALUES[2] = float[2](-0.999, 6.0); // all points of the table are used, or every 64th
-const float BEND_PIXELS = 0.25;      // that make strokes bend
+const float BEND_PIXELS = 0.25; // that make strokes bend
 
 shared uint in_batch[BATCHES];
-
-vec3 middle(uint n) { return ribs.at[n * RIB_POINTS + 2].xyz; }
-
-// False where it is not before the eye.
-bool project(vec3 world, out vec2 pixel) {
-    vec4 clip = clip_from_world * vec4(world, 1.0);
-    pixel = (clip.xy / clip.w * 0.5 + 0.5) * viewport;
-    return clip.w > 1e-6 && clip.z <= clip.w;
-}
 
 // Length at rest, in the mesh's units. Between chains that were joined counts do not agree, and the straight line does.
 float rest_length(uint a, uint b) {
@@ -46,44 +31,6 @@ float rest_length(uint a, uint b) {
     float along = nodes.node[b].along - nodes.node[a].along;
     bool counted = nodes.node[a].random == nodes.node[b].random && along > 0.25 * chord && along < 4.0 * chord;
     return max(counted ? along : chord, 1e-9);
-}
-
-// How the surface lies on the screen at a node.
-struct Lie {
-    vec2 along;  // pixels of one unit of a zigzag
-    vec2 across; // pixels from the middle to the left
-    float log_value;
-};
-
-bool lie_at(uint left_node, uint node, uint right_node, float length_, out Lie lie) {
-    vec2 from, to, right, left;
-    bool ok = project(middle(left_node), from);
-    ok = project(middle(right_node), to) && ok;
-    ok = project(ribs.at[node * RIB_POINTS].xyz, right) && ok;
-    ok = project(ribs.at[node * RIB_POINTS + 4u].xyz, left) && ok;
-    lie.along = (to - from) * (unit / length_);
-    lie.across = 0.5 * (left - right);
-    return ok;
-}
-
-float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
-
-// The level of detail's value for which strokes are so far apart, across themselves, that lines of `line_width` have
-// the ink that little shade needs. At a value of 1 points of the zigzag that count are 2 units apart.
-float log_value(Lie lie) {
-    float reach = length(lie.across);
-    float apart = reach > 1e-4 ? abs(cross2(lie.across, lie.along)) / reach : length(lie.along);
-    float wanted = line_width / (3.0 * density * darkness);
-    return clamp(log2(wanted / max(2.0 * apart, 1e-6)), LOG_VALUES[0], LOG_VALUES[1]);
-}
-
-// For which strokes have the ink per area that the cell's shade needs: area of the zigzag over length of its lines.
-float half_width(Lie lie, float shade) {
-    float t;
-    float apart = exp2(float(level_of(lie.log_value, t)));
-    float area = 2.0 * abs(cross2(lie.across, lie.along)) * apart;
-    float line = mean_stroke(length(lie.across), length(lie.along) * apart, t);
-    return 0.5 * min(density * ink_of_shade(shade) * area / max(line, 1e-6), MOST_WIDTH * line_width);
 }
 
 // The sine of the angle by which the surface looks towards the eye, where it does most.
@@ -118,34 +65,6 @@ void look_at_patch(uint from, uint to, float margin, out bool outside, out bool 
             bent = bent || distance(at[k], mix(at[0], at[4], 0.5 + 0.5 * ribs.at[n * RIB_POINTS + k].w)) > BEND_PIXELS;
     }
     outside = any(lessThan(high, vec2(-margin))) || any(greaterThan(low, viewport + margin));
-}
-
-// The tangent of a smooth curve through three places, as a parabola has it: near ones count more.
-vec3 tangent(vec3 a, vec3 b, vec3 c, float before, float after) {
-    return ((b - a) * (after / before) + (c - b) * (before / after)) / (before + after);
-}
-
-// Bends the chain so that it is smooth, but within the surface: its normal part is left out, since the straight patch
-// is as near the surface as was asked for.
-vec3 bend(vec3 tangent_, float length_, vec3 chord, vec3 normal) {
-    vec3 off = (tangent_ * length_ - chord) / 3.0;
-    off -= dot(off, normal) * normal;
-    float most = 0.25 * length(chord), size = length(off);
-    return size > most ? off * (most / size) : off;
-}
-
-void set_bends(Segment s, float span, float before, float after, inout Seen seen) {
-    vec3 from = middle(s.from), to = middle(s.to), chord = to - from;
-    vec3 across = ribs.at[s.from * RIB_POINTS + 4u].xyz - ribs.at[s.from * RIB_POINTS].xyz +
-                  ribs.at[s.to * RIB_POINTS + 4u].xyz - ribs.at[s.to * RIB_POINTS].xyz;
-    vec3 normal = cross(chord, across);
-    float size = length(normal);
-    if (!(size > 0.0)) return;
-    normal /= size;
-    if (s.before != s.from)
-        seen.bend_from.xyz = bend(tangent(middle(s.before), from, to, before, span), span, chord, normal);
-    if (s.after != s.to)
-        seen.bend_to.xyz = -bend(tangent(from, to, middle(s.after), span, after), span, chord, normal);
 }
 
 // Where the segment is in its zigzag, or zigzags, and which points of it that are.

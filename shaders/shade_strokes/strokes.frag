@@ -26,7 +26,7 @@ const float STEEPEST = 8.0; // 1 / cosine of the angle of sight from which on no
 // A box filter one pixel wide; what is thinner than a pixel keeps its width as opacity, so that ink stays.
 float covered(float aside) {
     float across = clamp(half_width - abs(aside) + 0.5, 0.0, min(1.0, 2.0 * half_width));
-    return across * clamp(place.y + 0.5, 0.0, 1.0) * clamp(place.z + 0.5, 0.0, 1.0);
+    return across * max(clamp(place.y, -0.5, 0.5) + clamp(place.z, -0.5, 0.5), 0.0);
 }
 
 float scene_at(ivec2 pixel) {
@@ -42,15 +42,14 @@ float slope_at(ivec2 pixel, ivec2 axis, float here) {
 // Whether the line's middle is on the surface that a pixel shows, as far as strokes hug it. Depth in the window is
 // linear over a triangle, so the slope says how deep its plane is at the very point, and how much of an error along
 // the normal is one along the line of sight.
-bool on_surface(ivec2 pixel, vec2 from_pixel) {
-    float scene = scene_at(pixel);
-    if (center.z >= scene) return true;
+bool on_surface(ivec2 pixel, vec2 from_pixel, float depth) {
+    float scene = scene_at(pixel), surface = view_depth(max(scene, 1e-9));
+    if (depth <= surface + hugging) return true; // mostly: a slope only allows for more
     vec2 slope = vec2(slope_at(pixel, ivec2(1, 0), scene), slope_at(pixel, ivec2(0, 1), scene));
-    float plane = max(scene + dot(slope, from_pixel), 1e-9), surface = view_depth(scene);
     vec2 rise = vec2(view_depth(max(scene + slope.x, 1e-9)), view_depth(max(scene + slope.y, 1e-9))) - surface;
     float metres = pixel_size * (eye.w > 0.0 ? surface : 1.0); // of a pixel
     float steep = min(sqrt(1.0 + dot(rise, rise) / (metres * metres)), STEEPEST);
-    return view_depth(center.z) <= view_depth(plane) + hugging * steep;
+    return depth <= view_depth(max(scene + dot(slope, from_pixel), 1e-9)) + hugging * steep;
 }
 
 // How much of the line's middle is seen: of the pixels around it, which lie on both sides of a silhouette.
@@ -58,11 +57,11 @@ float visible() {
     vec2 at = center.xy - 0.5;
     ivec2 base = ivec2(floor(at));
     vec2 f = at - vec2(base);
-    float seen = 0.0;
+    float depth = view_depth(center.z), seen = 0.0;
     for (int i = 0; i < 4; ++i) {
         ivec2 corner = ivec2(i & 1, i >> 1);
         vec2 weight = mix(1.0 - f, f, vec2(corner));
-        if (on_surface(base + corner, f - vec2(corner))) seen += weight.x * weight.y;
+        if (on_surface(base + corner, f - vec2(corner), depth)) seen += weight.x * weight.y;
     }
     return clamp(2.0 * seen - 0.5, 0.0, 1.0);
 }

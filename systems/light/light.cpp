@@ -3,6 +3,7 @@
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/light_list.h>
+#include <hachure/runtime/scene/light_strength.h>
 #include <hachure/runtime/scene/view.h>
 #include <hachure/systems/light/light.h>
 
@@ -46,7 +47,8 @@ struct StandardLight {
     [[nodiscard]] glm::mat4 pose() const { return glm::mat4_cast(rotation); }
 };
 
-void gather_lights(Query<const Light, const WorldTransform> placed, const View& view, LightList& list) {
+void gather_lights(Query<const Light, const WorldTransform> placed, const View& view, LightList& list,
+                   LightStrength& whole) {
     std::vector<std::pair<Entity, ShadingLight>> found;
     for (auto [entity, light, transform] : placed) {
         const glm::mat4 place = world_from_light(light, transform.matrix, view);
@@ -63,6 +65,7 @@ void gather_lights(Query<const Light, const WorldTransform> placed, const View& 
     });
     if (found.size() > LightList::max_lights) found.resize(LightList::max_lights);
     const float strongest = found.empty() ? 0.0f : strength(found.front().second);
+    whole.strongest = strongest;
 
     list.lights.clear();
     for (auto& [entity, light] : found) {
@@ -87,6 +90,7 @@ Entity spawn_default_light(World& world) {
 void register_light(App& app) {
     app.add_component<Light>();
     app.world().set_resource(LightList{});
+    app.world().set_resource(LightStrength{});
     app.add_system(Stage::light, "light", gather_lights).after("camera");
 }
 

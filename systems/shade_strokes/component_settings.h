@@ -22,10 +22,12 @@ namespace hachure {
             .seed = strokes.seed};
 }
 
-/// The tone curve of the component.
-[[nodiscard]] inline ShadeTone shade_tone(const ShadeStrokes& strokes) {
-    return {.full_shade = std::max(0.0f, strokes.full_shade),
-            .no_shade = std::max(0.0f, strokes.no_shade),
+/// The tone curve of the component, for lights that are relative to one of the intensity `strongest`.
+[[nodiscard]] inline ShadeTone shade_tone(const ShadeStrokes& strokes, float strongest = 1.0f) {
+    // So much of what the curve means by 1 is a relative light of 1.
+    const float given = strokes.full_light > 0.0f ? std::max(1e-6f, strongest / strokes.full_light) : 1.0f;
+    return {.full_shade = std::max(0.0f, strokes.full_shade) / given,
+            .no_shade = std::max(0.0f, strokes.no_shade) / given,
             .contrast = std::max(0.01f, strokes.contrast)};
 }
 

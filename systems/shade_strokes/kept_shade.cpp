@@ -57,7 +57,7 @@ void KeptShade::step(const ShadeInput& input) {
     light_.world_from_mesh = input.item->world_from_entity;
     light_.lights = input.lights;
     light_.eye = input.eye;
-    light_.tone = shade_tone(*input.style);
+    light_.tone = shade_tone(*input.style, input.strongest);
     light_.needed = needed_;
     light_.validate();
     light_.run();

@@ -23,6 +23,7 @@ struct ShadeInput {
     const ShadeStrokes* style = nullptr;
     std::shared_ptr<const SharedShadeMesh> mesh;
     std::span<const ShadingLight> lights;
+    float strongest = 1.0f; ///< as LightStrength has it
     ShadeEye eye;
     const assets::Image* picture = nullptr; ///< that paints density; null where none does
     std::span<const PlacedVolume> volumes;  ///< likewise

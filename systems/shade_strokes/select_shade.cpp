@@ -36,8 +36,9 @@ void add_style(gpu::KeyHash& hash, const ShadeStrokes& style, float time) {
 
 void SelectShade::operator()(Query<const ShadeStrokes> styled, Removed<ShadeStrokes> bare,
                              Query<const ShadeVolume, const WorldTransform> volumes, const DrawList& list,
-                             const MeshStore& store, const LightList& lights, const View& view, const Time& time,
-                             ShadeFrame& frame, ShadeNeeds& needs, ShadeCounts& counts, LineLayer& layer) {
+                             const MeshStore& store, const LightList& lights, const LightStrength& strength,
+                             const View& view, const Time& time, ShadeFrame& frame, ShadeNeeds& needs,
+                             ShadeCounts& counts, LineLayer& layer) {
     for (const Entity entity : bare)
         if (!styled.contains(entity)) kept_.erase(entity);
     if (!bare.empty()) meshes_.forget_unused();
@@ -51,7 +52,7 @@ void SelectShade::operator()(Query<const ShadeStrokes> styled, Removed<ShadeStro
     if (!styled.empty()) {
         find_surfaces(styled, list, store);
         place_volumes(volumes);
-        step(list, store, lights, view);
+        step(list, store, lights, strength.strongest, view);
         count(list, store, counts);
         fill(list, view, frame);
         fill_needs(list, needs);
@@ -97,7 +98,8 @@ const assets::Image* SelectShade::picture_of(const ShadeStrokes& style) {
     return &pictures_.emplace(style.density_texture, assets::read_image(style.density_texture)).first->second;
 }
 
-void SelectShade::step(const DrawList& list, const MeshStore& store, const LightList& lights, const View& view) {
+void SelectShade::step(const DrawList& list, const MeshStore& store, const LightList& lights, float strongest,
+                       const View& view) {
     inputs_.clear();
     for (const Shaded& shaded : shaded_) {
         const DrawItem& item = list.items[shaded.item];
@@ -106,6 +108,7 @@ void SelectShade::step(const DrawList& list, const MeshStore& store, const Light
                            .style = shaded.style,
                            .mesh = meshes_.get(item.mesh, shaded.style->cells),
                            .lights = lights.lights,
+                           .strongest = strongest,
                            .eye = shade_eye(view),
                            .picture = picture_of(*shaded.style),
                            .volumes = volumes_});

@@ -8,6 +8,7 @@
 #include <hachure/runtime/ecs/time.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/light_list.h>
+#include <hachure/runtime/scene/light_strength.h>
 #include <hachure/runtime/scene/line_layer.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/view.h>
@@ -33,8 +34,8 @@ class SelectShade {
 public:
     void operator()(Query<const ShadeStrokes> styled, Removed<ShadeStrokes> bare,
                     Query<const ShadeVolume, const WorldTransform> volumes, const DrawList& list,
-                    const MeshStore& store, const LightList& lights, const View& view, const Time& time,
-                    ShadeFrame& frame, ShadeNeeds& needs, ShadeCounts& counts, LineLayer& layer);
+                    const MeshStore& store, const LightList& lights, const LightStrength& strength, const View& view,
+                    const Time& time, ShadeFrame& frame, ShadeNeeds& needs, ShadeCounts& counts, LineLayer& layer);
 
 private:
     /// A surface of this frame.
@@ -46,7 +47,7 @@ private:
 
     void find_surfaces(const Query<const ShadeStrokes>& styled, const DrawList& list, const MeshStore& store);
     void place_volumes(const Query<const ShadeVolume, const WorldTransform>& volumes);
-    void step(const DrawList& list, const MeshStore& store, const LightList& lights, const View& view);
+    void step(const DrawList& list, const MeshStore& store, const LightList& lights, float strongest, const View& view);
     void count(const DrawList& list, const MeshStore& store, ShadeCounts& counts) const;
     void fill(const DrawList& list, const View& view, ShadeFrame& frame) const;
     void fill_needs(const DrawList& list, ShadeNeeds& needs) const;

@@ -15,6 +15,8 @@ void register_shade_strokes(App& app) {
     world.set_resource(ShadeFrame{});
     world.set_resource(ShadeNeeds{});
     world.set_resource(ShadeCounts{});
+    if (!world.find_resource<LightList>()) world.set_resource(LightList{});
+    if (!world.find_resource<LightStrength>()) world.set_resource(LightStrength{});
     if (!world.find_resource<MeshStore>()) world.set_resource(MeshStore{});
     if (!world.find_resource<LineLayer>()) world.set_resource(LineLayer{});
     know_shade_aovs(frame_requests(world));
@@ -22,9 +24,10 @@ void register_shade_strokes(App& app) {
                    [select = std::make_shared<SelectShade>()](
                        Query<const ShadeStrokes> styled, Removed<ShadeStrokes> bare,
                        Query<const ShadeVolume, const WorldTransform> volumes, const DrawList& list,
-                       const MeshStore& store, const LightList& lights, const View& view, const Time& time,
-                       ShadeFrame& frame, ShadeNeeds& needs, ShadeCounts& counts, LineLayer& layer) {
-                       (*select)(styled, bare, volumes, list, store, lights, view, time, frame, needs, counts, layer);
+                       const MeshStore& store, const LightList& lights, const LightStrength& strength, const View& view,
+                       const Time& time, ShadeFrame& frame, ShadeNeeds& needs, ShadeCounts& counts, LineLayer& layer) {
+                       (*select)(styled, bare, volumes, list, store, lights, strength, view, time, frame, needs, counts,
+                                 layer);
                    })
         .after("surface.collect")
         .after("edge_lines.select")

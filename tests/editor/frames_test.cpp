@@ -41,6 +41,23 @@ TEST_F(Frames, NumberedPicturesAreThoseOfStills) {
     EXPECT_EQ(file_text(folder / "out.2.png"), file_text(folder / "alone.2.png"));
 }
 
+/// Strokes depend on how the light came to be what it is: runs live through the frames before their first one.
+TEST_F(Frames, ShadeStrokesAreTheSameWhereverARunBegins) {
+    const std::string model = HACHURE_SOURCE_DIR "/tests/playback/models/shapes.glb";
+    const auto draw = [&](const char* out, const char* frames, const char* threads) {
+        return succeeded(hachure_program(folder, {"render", model, "-o", out, "--style", "strokes", "--set",
+                                                  "shade_strokes.cells=300", "--clip", "sun", "--size", "96x64",
+                                                  "--fps", "10", "--frames", frames, "--threads", threads}));
+    };
+    ASSERT_TRUE(draw("all.#.png", "0..7", "2"));
+    ASSERT_TRUE(draw("late.#.png", "6..7", "1"));
+    for (const char* number : {"6", "7"})
+        EXPECT_TRUE(file_text(folder / (std::string("all.") + number + ".png")) ==
+                    file_text(folder / (std::string("late.") + number + ".png")))
+            << number;
+    EXPECT_FALSE(file_text(folder / "all.0.png") == file_text(folder / "all.7.png")) << "the sun moves";
+}
+
 TEST_F(Frames, NumberedExr) {
     ASSERT_TRUE(succeeded(render({"-o", "out.##.exr", "--frames", "0..1"})));
     EXPECT_EQ(folder.listing(), (std::set<std::string>{"in.glb", "out.00.exr", "out.01.exr"}));

@@ -1,6 +1,7 @@
 #include <hachure/components/world_transform.h>
 #include <hachure/runtime/app/app.h>
 #include <hachure/runtime/scene/light_list.h>
+#include <hachure/runtime/scene/light_strength.h>
 #include <hachure/systems/camera/camera.h>
 #include <hachure/systems/light/light.h>
 #include <hachure/systems/transform/transform.h>
@@ -81,6 +82,16 @@ TEST_F(LightTest, TheStrongestIsFirstAndWhite) {
     EXPECT_EQ(list[0].color, glm::vec3(0, 1, 0));
     EXPECT_EQ(list[1].color, glm::vec3(0, 0, 0.5f));
     EXPECT_EQ(list[2].color, glm::vec3(0.25f, 0, 0));
+}
+
+TEST_F(LightTest, HowStrongTheStrongestIsIsToldApart) {
+    const Entity sun = world.create_with(Transform{}, Light{.intensity = 500.0f});
+    world.create_with(Transform{}, Light{.intensity = 100.0f});
+    EXPECT_EQ(lights()[0].color, glm::vec3(1.0f));
+    EXPECT_EQ(world.resource<LightStrength>().strongest, 500.0f);
+    world.get_mutable<Light>(sun).intensity = 0.0f;
+    static_cast<void>(lights());
+    EXPECT_EQ(world.resource<LightStrength>().strongest, 100.0f);
 }
 
 TEST_F(LightTest, EqualLightsKeepTheOrderInWhichTheyWereMade) {

@@ -12,6 +12,15 @@ TEST(ShadeComponentTest, DefaultsAreThoseOfTheJobs) {
     EXPECT_EQ(shade_tone({}), ShadeTone{});
 }
 
+/// Half of the light that counts as full: what was needed at a light of x is needed at a relative light of 2x.
+TEST(ShadeComponentTest, FullLightMeasuresTheStrongest) {
+    const ShadeStrokes strokes{.full_shade = 0.1f, .no_shade = 0.4f, .full_light = 800.0f};
+    EXPECT_EQ(shade_tone(strokes, 400.0f), (ShadeTone{.full_shade = 0.2f, .no_shade = 0.8f}));
+    EXPECT_EQ(shade_tone(strokes, 800.0f), (ShadeTone{.full_shade = 0.1f, .no_shade = 0.4f}));
+    EXPECT_GT(shade_tone(strokes, 0.0f).full_shade, 1000.0f) << "all is dark";
+    EXPECT_EQ(shade_tone({}, 400.0f), ShadeTone{}) << "relative to the strongest, whatever that is";
+}
+
 TEST(ShadeComponentTest, NumbersThatAreNoneAreMadeSound) {
     ShadeStrokes strokes;
     const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -42,8 +42,8 @@ public:
 
     void step(const std::vector<Entity>& bare = {}) {
         select_(world.query<const ShadeStrokes>(), Removed<ShadeStrokes>(bare),
-                world.query<const ShadeVolume, const WorldTransform>(), list, store, lights, view, time, frame, needs,
-                counts, layer);
+                world.query<const ShadeVolume, const WorldTransform>(), list, store, lights, strength, view, time,
+                frame, needs, counts, layer);
     }
 
     void place_sun(double degrees) {
@@ -60,6 +60,7 @@ public:
     DrawList list;
     MeshStore store;
     LightList lights;
+    LightStrength strength;
     View view;
     Time time;
     ShadeFrame frame;

@@ -112,7 +112,7 @@ DarknessBySphere::Fit darkness_of_sphere(const ShadeStrokes& style, float distan
         rig.update.reset();
         rig.step({shade_sun(sun)});
         picture.show(rig);
-        const View view = view_from(from_front, distance, 600);
+        const View view = view_from(from_front, distance, 500);
         darkness.add(picture.draw(view), view, sun);
     }
     return darkness.fit();
@@ -189,7 +189,7 @@ TEST_P(ShadeDrawTest, NothingPopsWhenTheLevelChanges) {
         const float distance = 7.0f * static_cast<float>(std::exp2(level));
         return picture.draw(shade_view({0.0f, distance, 1e-3f}, 300, 300));
     };
-    constexpr int steps = 20, parts = 8; // over more than a level
+    constexpr int steps = 16, parts = 6; // over more than a level
     double largest = 0.0;
     int where = 0;
     for (int i = 0; i < steps; ++i) {
@@ -245,7 +245,7 @@ TEST_P(ShadeDrawTest, NothingPopsWhereSurfacesTurnAway) {
     ShadePicture picture(rig);
     std::vector<double> steps;
     std::vector<float> last;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 25; ++i) {
         const float angle = glm::radians(0.1f * static_cast<float>(i));
         const std::vector<float> now = picture.draw(view_from({std::sin(angle), 0.4f, std::cos(angle)}, 5.0f, 300));
         if (!last.empty()) steps.push_back(difference(now, last).mean);

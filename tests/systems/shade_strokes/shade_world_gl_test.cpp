@@ -229,6 +229,31 @@ TEST_P(ShadeWorldTest, ALightThatMovesOrDimsIsFollowed) {
     EXPECT_GT(mean_of(shaded.aov("shade_delivered")), 1.3 * alone);
 }
 
+/// The only light of a scene fades in steps that are each smaller than the dead band, and comes back.
+TEST_P(ShadeWorldTest, ALightThatFadesEndsFullyShadedAndComesBack) {
+    ShadedScene shaded(context(), geometry::icosphere(1.0, 3), {.full_light = 3.0f, .cells = 300});
+    shaded.ask_for({"shade_needed", "shade_delivered", "object_id"});
+    const auto shine = [&](int of_60) {
+        shaded.world().get_mutable<Light>(shaded.sun).intensity = 3.0f * static_cast<float>(of_60) / 60.0f;
+        shaded.scene.renderer().skip_frame();
+    };
+    shaded.world().get_mutable<Light>(shaded.sun).intensity = 3.0f;
+    shaded.scene.renderer().render_frame();
+    const double lit = mean_of(shaded.aov("shade_delivered"));
+    for (int i = 59; i >= 0; --i) shine(i);
+    shaded.scene.renderer().render_frame();
+    const assets::Image id = shaded.aov("object_id"), needed = shaded.aov("shade_needed"),
+                        delivered = shaded.aov("shade_delivered");
+    for (int i = 0; i < shade_canvas.width * shade_canvas.height; ++i) {
+        if (id.f32()[i] == 0.0f) continue;
+        EXPECT_NEAR(needed.f32()[i], 1.0f, 1e-5f);
+        EXPECT_GT(delivered.f32()[i], 1.0f - 2.0f * ShadeStrokes{}.dead_band);
+    }
+    for (int i = 1; i <= 60; ++i) shine(i);
+    shaded.scene.renderer().render_frame();
+    EXPECT_NEAR(mean_of(shaded.aov("shade_delivered")), lit, double(ShadeStrokes{}.dead_band) * 0.5);
+}
+
 TEST_P(ShadeWorldTest, AVolumeIsAnEntity) {
     ShadedScene shaded(context(), geometry::icosphere(1.0, 4), {.cells = 2000, .density_by = ShadeDensityBy::volumes});
     shaded.ask_for({"shade_needed"});
