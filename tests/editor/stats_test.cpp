@@ -29,7 +29,8 @@ protected:
         folder.write("in.glb", two_squares_glb());
         std::vector<std::string> arguments{"render", "in.glb", "-o", "out.png", "--size", "64x32", "--stats", "s.json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        EXPECT_TRUE(succeeded(hachure_program(folder, arguments)));
+        const ProcessResult result = hachure_program(folder, arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
         return json::parse(file_text(folder / "s.json"), nullptr, false);
     }
 };
