@@ -1,7 +1,10 @@
 #include <hachure/runtime/assert.h>
+#include <hachure/runtime/geometry/bounds.h>
 #include <hachure/runtime/geometry/curvature.h>
+#include <hachure/runtime/geometry/direction_field.h>
 #include <hachure/runtime/geometry/principal.h>
 #include <hachure/runtime/geometry/triangle_frame.h>
+#include <hachure/runtime/parallel.h>
 
 #include <glm/geometric.hpp>
 
@@ -11,6 +14,9 @@
 
 namespace hachure::geometry {
 namespace {
+
+constexpr double error_as_flat = 4.0;     // curvatures within so many times their error say nothing about directions
+constexpr std::size_t write_block = 8192; // vertices that one task finishes
 
 /// A symmetric tensor in some frame: e along u, g along v, f mixed.
 struct Tensor {
@@ -71,15 +77,49 @@ void add_triangle(CurvatureJob& job, const std::uint32_t* corner) {
     }
 }
 
-/// What the sums say of a vertex.
-void finish(const CurvatureJob& job, std::size_t vertex) {
-    const CurvatureJob::Sum& sum = job.sums[job.weld[vertex]];
+/// What a tensor says of a vertex. `error`: the expected square of its error; `flat`: a curvature that counts as none.
+void write(const CurvatureJob& job, std::size_t vertex, const Tensor& tensor, double error, double flat) {
     const Frame frame = frame_of(glm::dvec3(job.normals[job.weld[vertex]]));
-    const double inverse = sum.area > 0.0 ? 1.0 / sum.area : 0.0;
-    Principal result = principal(inverse * sum.e, inverse * sum.f, inverse * sum.g);
+    Principal result = principal(tensor.e, tensor.f, tensor.g);
     if (!std::isfinite(result.k1) || !std::isfinite(result.k2)) result = {0.0, 0.0, 1.0, 0.0};
     job.curvatures[vertex] = {result.k1, result.k2};
     job.directions[vertex] = result.x * frame.u + result.y * frame.v;
+    if (job.confidences.empty()) return;
+    const double mean = 0.5 * (result.k1 + result.k2), deviator = 0.5 * (result.k1 - result.k2);
+    const double none = std::max(flat, error_as_flat * std::sqrt(error)), square = deviator * deviator;
+    const double sure = square > 0.0 ? square / (square + error) : 0.0;
+    job.confidences[vertex] = static_cast<float>(sure * direction_confidence(mean, deviator, none));
+}
+
+void average_triangles(CurvatureJob& job, double flat) {
+    job.sums.assign(job.positions.size(), CurvatureJob::Sum{});
+    for (std::size_t i = 0; i + 2 < job.indices.size(); i += 3) add_triangle(job, &job.indices[i]);
+    for (std::size_t v = 0; v < job.positions.size(); ++v) {
+        const CurvatureJob::Sum& sum = job.sums[job.weld[v]];
+        const double inverse = sum.area > 0.0 ? 1.0 / sum.area : 0.0;
+        write(job, v, {inverse * sum.e, inverse * sum.f, inverse * sum.g}, 0.0, flat);
+    }
+}
+
+void fit_polynomials(CurvatureJob& job, double flat) {
+    if (!job.neighbours) job.own_neighbours.build(job.indices, job.weld);
+    const CurvedMesh mesh{job.positions, job.normals, job.weld, job.neighbours ? *job.neighbours : job.own_neighbours};
+    const bool quartic = job.method == CurvatureMethod::quartic;
+    const PatchExtent extent{.degree = quartic ? 4u : 2u,
+                             .rings = job.rings > 0 ? job.rings
+                                      : quartic     ? 3u
+                                                    : 2u,
+                             .radius = job.radius};
+    if (job.method == CurvatureMethod::automatic)
+        job.fits.choose(mesh, job.tolerance, flat);
+    else
+        job.fits.fit(mesh, extent);
+    parallel_for((job.positions.size() + write_block - 1) / write_block, [&](std::size_t block) {
+        for (std::size_t v = block * write_block; v < std::min(job.positions.size(), (block + 1) * write_block); ++v) {
+            const CurvatureFits::Fit& fit = job.fits.result(job.weld[v]);
+            write(job, v, {fit.e, fit.f, fit.g}, job.fits.error(job.weld[v]), flat);
+        }
+    });
 }
 
 } // namespace
@@ -89,15 +129,21 @@ void CurvatureJob::validate() const {
     HACHURE_ASSERT(weld.size() == positions.size() && normals.size() == positions.size(), "one element per vertex");
     HACHURE_ASSERT(curvatures.size() == positions.size() && directions.size() == positions.size(),
                    "one element per vertex");
+    HACHURE_ASSERT(confidences.empty() || confidences.size() == positions.size(), "one element per vertex, or none");
+    HACHURE_ASSERT(radius >= 0.0 && tolerance >= 0.0, "lengths and errors are not negative");
+    HACHURE_ASSERT(!neighbours || neighbours->first.size() == positions.size() + 1, "neighbours are of this mesh");
     const auto in_range = [&](std::uint32_t i) { return i < positions.size(); };
     HACHURE_ASSERT(std::ranges::all_of(indices, in_range) && std::ranges::all_of(weld, in_range),
                    "indices must be in range");
 }
 
 void CurvatureJob::run() {
-    sums.assign(positions.size(), Sum{});
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) add_triangle(*this, &indices[i]);
-    for (std::size_t v = 0; v < positions.size(); ++v) finish(*this, v);
+    const float size = glm::length(bounds_of(positions).extent());
+    const double flat = size > 0.0f ? 0.5 / double{size} : 1.0; // as a direction field takes it
+    if (method == CurvatureMethod::one_ring)
+        average_triangles(*this, flat);
+    else
+        fit_polynomials(*this, flat);
 }
 
 } // namespace hachure::geometry

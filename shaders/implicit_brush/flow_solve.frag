@@ -10,9 +10,9 @@ layout(binding = 3) uniform sampler2D flow;
 
 layout(location = 0) out vec2 motion;
 
-// Motion along which tone changes less than by so much a pixel, or than so much of what it changes by across, stays
-// what it was.
-const float least_slope = 1e-5; // squared
+// Motion along which tone (in deviations, flow_even.frag) changes less than by so much a pixel, or than so much of what
+// it changes by across, stays what it was.
+const float least_slope = 7e-3; // squared
 const float damping = 0.01;
 // Pixels that one step may lead to.
 const float longest_step = 2.0;

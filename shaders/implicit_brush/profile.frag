@@ -117,6 +117,25 @@ bool is_line(Profile p, float width) {
     return p.found && p.height > 0.0 && p.height < 6e4 && dot(p.offset, p.offset) <= 1.44 * width * width;
 }
 
+// What a straight way shows of a ring is a chord, whose height is level: a line is sharper than that.
+bool is_sharp(Profile p) { return p.curvature > 8.0 * level * p.height; }
+
+// Nearby lines are looked for straight ahead, in less than the window; curvatures are those of the whole one.
+Profile follow_straight(vec2 direction, float width, float clear) {
+    float near = min(width, junction_window);
+    Profile p = follow(Trajectory(vec2(0.0), direction, 0.0), near, min(clear, near));
+    if (!is_line(p, near) || !is_sharp(p)) return nothing;
+    p.curvature *= width * width / (near * near);
+    return p;
+}
+
+// Beside a line that another one joins theta turns towards that one, and a way that turns with it may find neither.
+Profile look_along(vec2 theta, float width) {
+    float clear = clear_way(theta, width, 0.0);
+    Profile p = follow(trajectory_at(theta, width), width, clear);
+    return is_line(p, width) ? p : follow_straight(theta, width, clear);
+}
+
 #ifdef JUNCTIONS
 // Where lines meet, theta is that of neither, and singular: a way along it ends at once. Lines are there all the same, as
 // h shows to who looks across them. Of all directions the one counts that a line is nearest in. Only contours end a way
@@ -124,17 +143,16 @@ bool is_line(Profile p, float width) {
 // Beside a contour a direction is as good as cut off: what looks like a line along it is the contour's.
 Profile look_around(float width) {
     Profile nearest = nothing;
-    float least = width;
-    for (int i = 0; i < 4; ++i) {
-        float angle = 0.7853981634 * float(i);
+    float near = min(width, junction_window), least = near;
+    for (int i = 0; i < 6; ++i) {
+        float angle = 0.5235987756 * float(i);
         vec2 direction = vec2(cos(angle), sin(angle));
-        float way = clear_way(direction, width, contour_singularity);
-        Profile p = follow(Trajectory(vec2(0.0), direction, 0.0), width, way);
-        least = min(least, way);
-        bool sharp = p.curvature > 8.0 * level * p.height; // a chord of a ring is not
-        if (is_line(p, width) && sharp && dot(p.offset, p.offset) < dot(nearest.offset, nearest.offset)) nearest = p;
+        float clear = clear_way(direction, near, contour_singularity);
+        least = min(least, clear);
+        Profile p = follow_straight(direction, width, clear);
+        if (dot(p.offset, p.offset) < dot(nearest.offset, nearest.offset)) nearest = p;
     }
-    if (least < width) return nothing;
+    if (least < near) return nothing;
     return nearest;
 }
 #endif
@@ -145,10 +163,9 @@ void main() {
     vec4 here = texelFetch(features, pixel, 0);
     vec2 theta = direction_of(here.gb);
     Profile p = nothing;
-    if (theta != vec2(0.0)) p = follow(trajectory_at(theta, width), width, clear_way(theta, width, 0.0));
+    if (theta != vec2(0.0)) p = look_along(theta, width);
 #ifdef JUNCTIONS
-    if (!is_line(p, width)) p = look_around(min(width, junction_window));
+    if (!p.found) p = look_around(width);
 #endif
-    out_profile =
-        is_line(p, width) ? vec4(p.offset, p.height, min(p.curvature, 6e4)) : vec4(1e4, 1e4, 0.0, 0.0);
+    out_profile = p.found ? vec4(p.offset, p.height, min(p.curvature, 6e4)) : vec4(1e4, 1e4, 0.0, 0.0);
 }

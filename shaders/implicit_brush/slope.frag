@@ -24,6 +24,8 @@ const float steepest = 4.0;
 // Of what the slopes beside a pixel explain, in px: rounding of depths and normals of small facets.
 const float tolerance = 0.5;
 
+const float limb = 2.414; // (sqrt(1) - sqrt(0)) / (sqrt(2) - sqrt(1))
+
 struct Sight {
     float metres; // from the eye's plane; 0 where there is nothing
     vec2 slope;   // of the relief along the picture's axes, px per px, unbounded
@@ -88,7 +90,8 @@ float share_of(float jump) { return jump * jump / (jump * jump + half_break * ha
 // How much the relief breaks off between two neighbours, in [0, 1], positive where it is higher beyond. What the slopes
 // on either side explain is no break, be they those of normals, which know of the bend between two pixels, or of the
 // depths before and behind, which know of facets: all of a smooth surface lies between the least and the greatest of
-// them (mean value theorem).
+// them (mean value theorem). Depths alone know too little of the last pixel before a limb, where a relief like sqrt(x)
+// gains up to `limb` times what it did over the pixel before; slopes beyond say whether it is the same surface.
 float break_between(Sight here, Sight there, int axis, float before, float after) {
     if (here.outside || there.outside) return 0.0;
     if (here.metres <= 0.0 || there.metres <= 0.0) return sign(there.metres - here.metres);
@@ -96,6 +99,8 @@ float break_between(Sight here, Sight there, int axis, float before, float after
     float by_here = gain_along(here.slope[axis]), by_there = -gain_along(-there.slope[axis]);
     if (before > 0.0) before = gain_between(before, here.metres); else before = by_here;
     if (after > 0.0) after = gain_between(there.metres, after); else after = by_there;
+    if (before * by_there > before * before) before *= limb;
+    if (after * by_here > after * after) after *= limb;
     float least = min(min(by_here, by_there), min(before, after));
     float most = max(max(by_here, by_there), max(before, after));
     float over = max(gain - most, 0.0) + min(gain - least, 0.0);

@@ -49,22 +49,28 @@ float facing(uint from, uint to) {
     return most;
 }
 
-// Whether a patch is outside the picture, and whether it bends on the screen.
-void look_at_patch(uint from, uint to, float margin, out bool outside, out bool bent) {
+// Whether a patch is outside the picture.
+bool outside(uint from, uint to, float margin) {
     vec2 low = vec2(1e30), high = vec2(-1e30);
-    bent = false;
-    for (int i = 0; i < 2; ++i) {
-        uint n = i == 0 ? from : to;
-        vec2 at[RIB_POINTS];
+    for (int i = 0; i < 2; ++i)
         for (int k = 0; k < RIB_POINTS; ++k) {
-            project(ribs.at[n * RIB_POINTS + k].xyz, at[k]);
-            low = min(low, at[k]);
-            high = max(high, at[k]);
+            vec2 at;
+            project(ribs.at[(i == 0 ? from : to) * RIB_POINTS + k].xyz, at);
+            low = min(low, at);
+            high = max(high, at);
         }
-        for (int k = 1; k + 1 < RIB_POINTS; ++k)
-            bent = bent || distance(at[k], mix(at[0], at[4], 0.5 + 0.5 * ribs.at[n * RIB_POINTS + k].w)) > BEND_PIXELS;
+    return any(lessThan(high, vec2(-margin))) || any(greaterThan(low, viewport + margin));
+}
+
+// Whether a rib bends so much that straight strokes would leave it by more than a part of a pixel.
+bool bends(uint node) {
+    vec3 right = ribs.at[node * RIB_POINTS].xyz, left = ribs.at[node * RIB_POINTS + 4u].xyz;
+    float most = BEND_PIXELS * pixel_size * (clip_from_world * vec4(middle(node), 1.0)).w;
+    for (int k = 1; k + 1 < RIB_POINTS; ++k) {
+        vec4 point = ribs.at[node * RIB_POINTS + k];
+        if (distance(point.xyz, mix(right, left, 0.5 + 0.5 * point.w)) > most) return true;
     }
-    outside = any(lessThan(high, vec2(-margin))) || any(greaterThan(low, viewport + margin));
+    return false;
 }
 
 // Where the segment is in its zigzag, or zigzags, and which points of it that are.
@@ -90,10 +96,8 @@ bool look(Segment s, out Seen seen) {
     seen = Seen(vec4(0.0), vec4(0.0), float[2](0.0, 0.0), float[2](0.0, 0.0), 0.0, 0.0, uint[2](0u, 0u),
                 uint[2](s.from, s.to), 0, 0, 0, 0u, 0u, 0u);
     if (s.cell == NONE || !(s.alpha > 0.0)) return false;
-    bool outside, bent;
-    look_at_patch(s.from, s.to, MOST_WIDTH * line_width + 1.0, outside, bent);
     seen.alpha = smoothstep(-0.1, 0.0, facing(s.from, s.to)) * s.alpha;
-    if (outside || !(seen.alpha > 0.0)) return false;
+    if (!(seen.alpha > 0.0) || outside(s.from, s.to, MOST_WIDTH * line_width + 1.0)) return false;
 
     float span = rest_length(s.from, s.to);
     float before = s.before != s.from ? rest_length(s.before, s.from) : 0.0;
@@ -111,6 +115,7 @@ bool look(Segment s, out Seen seen) {
     }
     set_bends(s, span, before, after, seen);
     set_places(s, span, seen);
+    bool bent = bends(s.from) || bends(s.to);
     seen.flags = (bent ? BENT : 0u) | (s.before == s.from ? FREE_BEGIN : 0u) | (s.after == s.to ? FREE_END : 0u);
     seen.batch = uint(batch_of(seen.strokes) + (bent ? SIZES : 0));
     return true;

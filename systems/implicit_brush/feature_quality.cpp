@@ -8,10 +8,10 @@ FeatureImage resolved(const FeatureImage& wanted) {
     case FeatureQuality::custom:
         break;
     case FeatureQuality::standard:
-        made = {.storage = FeatureStorage::rgba32f, .taps = 4, .fits = 3};
+        made = {.storage = FeatureStorage::rgba32f, .taps = 4, .fits = 3, .samples = wanted.samples};
         break;
     case FeatureQuality::fast:
-        made = {.taps = 3, .fits = 2};
+        made = {.taps = 3, .fits = 2, .samples = wanted.samples};
         break;
     case FeatureQuality::accurate:
         made = {.storage = FeatureStorage::rgba32f, .taps = 6, .fits = 4, .samples = 2};

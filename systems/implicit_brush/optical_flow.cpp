@@ -15,11 +15,13 @@ constexpr int iterations = 3;  ///< at each level
 /// Textures of one level.
 struct Level {
     std::uint32_t tones;                    ///< rg: before, now
+    std::uint32_t even;                     ///< the same, whatever the exposure
+    std::uint32_t even_sums;                ///< what they are made from, added up along rows
     std::array<std::uint32_t, 2> flow;      ///< to and fro
     std::array<std::uint32_t, 3> sums;      ///< terms of the least squares, by pixel
     std::array<std::uint32_t, 3> part_sums; ///< the same, added up along rows
 };
-constexpr std::size_t textures_of_level = 9;
+constexpr std::size_t textures_of_level = 11;
 
 struct Size {
     int width, height;
@@ -53,6 +55,12 @@ gpu::ProgramSource program_source(const char* fragment, std::initializer_list<co
     return source;
 }
 
+/// Takes the exposure out of a level's tones.
+void make_even(RenderContext& render, const Level& level) {
+    draw(render, {level.even_sums}, program_source("implicit_brush/flow_even.frag", {"ROWS"}), {level.tones});
+    draw(render, {level.even}, program_source("implicit_brush/flow_even.frag"), {level.tones, level.even_sums});
+}
+
 /// Makes the flow of one level from that of the coarser one, 0 for none, and returns it; its last texture is `to`
 /// where that is not 0.
 std::uint32_t refine(RenderContext& render, const Level& level, std::uint32_t coarser, std::uint32_t to) {
@@ -63,7 +71,7 @@ std::uint32_t refine(RenderContext& render, const Level& level, std::uint32_t co
         const std::uint32_t target = done ? to : level.flow[i % 2];
         const std::uint32_t guess = from != 0 ? from : level.flow[1]; // not read at rest
         draw(render, {level.sums[0], level.sums[1], level.sums[2]},
-             program_source("implicit_brush/flow_products.frag", {start}), {level.tones, guess});
+             program_source("implicit_brush/flow_products.frag", {start}), {level.even, guess});
         draw(render, {level.part_sums[0], level.part_sums[1], level.part_sums[2]},
              program_source("implicit_brush/flow_rows.frag"), {level.sums[0], level.sums[1], level.sums[2]});
         draw(render, {target},
@@ -77,7 +85,7 @@ std::uint32_t refine(RenderContext& render, const Level& level, std::uint32_t co
 
 Level level_at(std::span<const std::uint32_t> scratch, std::size_t index) {
     const auto id = [&](std::size_t i) { return scratch[index * textures_of_level + i]; };
-    return {id(0), {id(1), id(2)}, {id(3), id(4), id(5)}, {id(6), id(7), id(8)}};
+    return {id(0), id(1), id(2), {id(3), id(4)}, {id(5), id(6), id(7)}, {id(8), id(9), id(10)}};
 }
 
 } // namespace
@@ -91,8 +99,9 @@ std::vector<gpu::TextureDesc> OpticalFlowJob::scratch(int width, int height) {
     std::vector<gpu::TextureDesc> result;
     using gpu::Format;
     for (const Size& size : level_sizes(width, height))
-        for (const Format format : {Format::rg32f, Format::rg32f, Format::rg32f, Format::rgba32f, Format::rgba32f,
-                                    Format::r32f, Format::rgba32f, Format::rgba32f, Format::r32f})
+        for (const Format format :
+             {Format::rg32f, Format::rg32f, Format::rgba32f, Format::rg32f, Format::rg32f, Format::rgba32f,
+              Format::rgba32f, Format::r32f, Format::rgba32f, Format::rgba32f, Format::r32f})
             result.push_back({size.width, size.height, format});
     return result;
 }
@@ -104,6 +113,7 @@ void OpticalFlowJob::run(RenderContext& render, std::span<const std::uint32_t> s
     for (std::size_t i = 1; i < levels; ++i)
         draw(render, {level_at(scratch, i).tones}, program_source("implicit_brush/flow_halve.frag"),
              {level_at(scratch, i - 1).tones});
+    for (std::size_t i = 0; i < levels; ++i) make_even(render, level_at(scratch, i));
     std::uint32_t coarser = 0;
     for (std::size_t i = levels; i-- > 0;) coarser = refine(render, level_at(scratch, i), coarser, i == 0 ? to : 0);
 }

@@ -13,8 +13,8 @@ struct RenderContext;
 
 /// How what a picture shows has moved since the picture before: least squares over a window around each pixel (Lucas
 /// and Kanade 1981), coarse to fine, from 1/32 of the resolution to a half of it. Brightness may change by a constant
-/// in the window. Where there is nothing to see, motion is that of the surroundings. Textures are ids of the frame
-/// graph's back end.
+/// and a factor in the window, as with a flash or another exposure. Where there is nothing to see, motion is that of
+/// the surroundings. Textures are ids of the frame graph's back end.
 struct OpticalFlowJob {
     std::uint32_t before = 0, now = 0; ///< tones in red, [0, 1], of one size
     /// Rg32f of half that size, rounded up: pixels of the full size, right and up, that the middle of four pixels has

@@ -10,7 +10,8 @@ struct RenderContext;
 
 /// Anisotropic diffusion of slopes, with contours as insulators (section 3.2.1). A step is one of the explicit scheme
 /// with weights 1 2 1 along either axis: it adds a variance of 1/2 px^2 to each, so that values move by a pixel (root
-/// mean square), which is as far as an explicit step on 3x3 pixels can go without weights below 0.
+/// mean square), which is as far as an explicit step on 3x3 pixels can go without weights below 0. A pixel whose neighbour
+/// on one side is cut off takes nothing from the one on the other: slopes that grow towards a contour keep growing.
 ///
 /// Several steps are done at once, first along one axis, then along the other: what insulates lets nothing through
 /// either way, and without insulators both orders are the same.

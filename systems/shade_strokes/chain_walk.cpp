@@ -24,6 +24,7 @@ constexpr double join_bend = 0.05;     // how far aside of the walk an end may l
 constexpr double join_cosine = 0.9;    // 25 degrees
 constexpr double least_pressure = 0.6; // of the pen, at alpha 1
 constexpr int most_divisions = 5;
+constexpr double looked_at = 0.75; // of what patches may be off, at one place: at others they are a little more
 constexpr glm::dvec3 downwards{0.31, -0.92, 0.24}; // strokes are begun that way, so that those that meet agree
 
 } // namespace
@@ -221,7 +222,8 @@ void ChainWalk::lay(std::uint32_t from, double begin, std::uint32_t to, double e
         const double middle = most_bent(begin, end);
         const ShadeNode node = node_at(on_way(middle));
         const double part = (middle - begin) / (end - begin);
-        if (off_surface(node, part, chains_.nodes[from], chains_.nodes[to]) > settings_.rib_deviation * mesh_.size) {
+        const double most = looked_at * settings_.rib_deviation * mesh_.size;
+        if (off_surface(node, part, chains_.nodes[from], chains_.nodes[to]) > most) {
             const std::uint32_t between = chains_.nodes.take(node);
             lay(from, begin, between, middle, depth + 1);
             lay(between, middle, to, end, depth + 1);

@@ -35,6 +35,7 @@ template <class Body> void each_vertex(std::size_t count, const Body& body) {
 struct Curvatures {
     std::vector<glm::vec2> values;
     std::vector<glm::vec3> directions;
+    std::vector<float> confidences; ///< in [0, 1]: of the directions, by the noise of the mesh
 };
 
 /// The given normals, which know the surface better than triangles do, where they are sound.
@@ -55,13 +56,15 @@ Curvatures computed(const SurfaceSheets& sheets, std::span<const glm::vec3> norm
     std::vector<std::uint32_t> indices, weld(count);
     for (const auto& t : sheets.triangles) indices.insert(indices.end(), t.begin(), t.end());
     std::iota(weld.begin(), weld.end(), 0u);
-    Curvatures result{std::vector<glm::vec2>(count), std::vector<glm::vec3>(count)};
+    Curvatures result{std::vector<glm::vec2>(count), std::vector<glm::vec3>(count), std::vector<float>(count)};
     geometry::CurvatureJob job{.positions = positions,
                                .normals = normals,
                                .indices = indices,
                                .weld = weld,
                                .curvatures = result.values,
-                               .directions = result.directions};
+                               .directions = result.directions,
+                               .confidences = result.confidences,
+                               .method = geometry::CurvatureMethod::automatic};
     job.run();
     return result;
 }
@@ -73,6 +76,7 @@ Curvatures taken(const SurfaceSheets& sheets, std::span<const std::uint32_t> ind
         const std::uint32_t vertex = indices[3 * sheets.face[h / 3] + h % 3];
         result.values.push_back(curvatures[vertex]);
         result.directions.push_back(directions[vertex]);
+        result.confidences.push_back(1.0f);
     }
     return result;
 }
@@ -93,6 +97,7 @@ Wishes wishes(const SheetMetric& metric, const Curvatures& curvatures) {
     each_vertex(count, [&](std::uint32_t v) {
         const double k1 = curvatures.values[v].x, k2 = curvatures.values[v].y;
         const double sure =
+            double{curvatures.confidences[v]} *
             geometry::direction_confidence(0.5 * (k1 + k2), 0.5 * std::abs(k1 - k2), flat / metric.size);
         const SheetMetric::Complex d = metric.to_frame(v, glm::dvec3(curvatures.directions[v]));
         // Strokes run across the first direction: half a turn of the line's doubled angle.

@@ -16,12 +16,11 @@ namespace {
 
 using gpu::BufferBinding;
 
-/// Points of a zigzag are this many to the size of a model: as fine as strokes get, so close to the surface that the
-/// default amplitude is 33 points wide.
+/// Points of a zigzag are this many to the size of a model: strokes get no finer, however near they are.
 constexpr float points_per_size = 4096.0f;
 /// How far strokes lie off the surface besides what their nodes allow for, over that: across folds ribs are straight
 /// between their points, too.
-constexpr float hugging_margin = 2.0f;
+constexpr float hugging_margin = 3.0f;
 
 void run_groups(gpu::Program& program, std::size_t threads) {
     program.use();

@@ -80,7 +80,8 @@ void ShadeMeshes::make_wanted() {
 void ShadeMeshes::report(const SurfaceMesh& surface, const ShadeMesh& mesh) {
     const std::string text = shade_mesh_report(mesh);
     if (text.empty() || !reported_.insert(surface.name).second) return;
-    log_note(fmt::format("shade_strokes: strokes of mesh '{}' end at or leave out {}", surface.name, text));
+    const std::string name = surface.name.empty() ? "a mesh without a name" : fmt::format("mesh '{}'", surface.name);
+    log_note(fmt::format("shade_strokes: strokes of {} end at or leave out {}", name, text));
 }
 
 std::shared_ptr<const SharedShadeMesh> ShadeMeshes::get(std::uint32_t mesh, std::uint32_t cells) const {

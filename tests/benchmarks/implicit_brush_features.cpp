@@ -115,7 +115,8 @@ double report_features(Report& report, gpu::Context& context, const std::filesys
             timed_job([&] {
                 SlopeJob{.depth_buffer = depth, .normals = geometry.normals, .rect = rect, .to = slopes}.run(render);
             }),
-            timed_job([&] { SlopeDiffusionJob{10, 1, slopes, diffused, scratch, rect, depth}.run(render); }), timed_job([&] {
+            timed_job([&] { SlopeDiffusionJob{10, 1, slopes, diffused, scratch, rect, depth}.run(render); }),
+            timed_job([&] {
                 FeatureDataJob{.feature = BrushFeature::valleys,
                                .slopes = diffused,
                                .scratch = scratch,

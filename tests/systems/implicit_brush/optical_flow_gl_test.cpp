@@ -21,6 +21,9 @@ struct FlowError {
     double largest = 0.0; ///< of that
 };
 
+using ToneChange = std::function<double(double)>;
+double as_it_is(double tone) { return tone; }
+
 struct OpticalFlowTest : ::testing::Test {
     void SetUp() override {
         std::string reason;
@@ -51,10 +54,10 @@ struct OpticalFlowTest : ::testing::Test {
         return result;
     }
 
-    /// Of a picture that moves so.
-    FlowError error(const Origin& origin, double brighter = 0.0) {
+    /// Of a picture that moves so, and whose tones change so.
+    FlowError error(const Origin& origin, const ToneChange& change) {
         upload(job.before, [&](glm::dvec2 p) { return picture.tone(p); });
-        upload(job.now, [&](glm::dvec2 p) { return picture.tone(origin(p)) + brighter; });
+        upload(job.now, [&](glm::dvec2 p) { return change(picture.tone(origin(p))); });
         const std::vector<glm::dvec2> found = flow();
         FlowError result;
         const auto in_picture = [](glm::dvec2 p, double edge) {
@@ -79,8 +82,8 @@ struct OpticalFlowTest : ::testing::Test {
         return result;
     }
 
-    void expect(const char* what, const Origin& origin, double inner, double rms, double brighter = 0.0) {
-        const FlowError found = error(origin, brighter);
+    void expect(const char* what, const Origin& origin, double inner, double rms, const ToneChange& change = as_it_is) {
+        const FlowError found = error(origin, change);
         RecordProperty(what, std::to_string(found.rms) + " rms, " + std::to_string(found.inner) + " inner, " +
                                  std::to_string(found.largest) + " largest of these");
         EXPECT_LT(found.inner, inner) << what;
@@ -101,7 +104,7 @@ Origin turned(double degrees, double times) {
 }
 
 TEST_F(OpticalFlowTest, IsZeroForAStillPicture) {
-    const FlowError found = error(shifted(0, 0));
+    const FlowError found = error(shifted(0, 0), as_it_is);
     EXPECT_LT(found.largest, 1e-3);
 }
 
@@ -120,7 +123,16 @@ TEST_F(OpticalFlowTest, FindsTurnsAndZooms) {
     expect("both", turned(2.0, 1.03), 0.15, 0.2);
 }
 
-TEST_F(OpticalFlowTest, DoesNotTakeAFlashForMotion) { expect("flash", shifted(3.0, 1.0), 0.15, 0.2, 0.2); }
+TEST_F(OpticalFlowTest, DoesNotTakeAFlashForMotion) {
+    expect("flash", shifted(3.0, 1.0), 0.15, 0.2, [](double tone) { return tone + 0.2; });
+}
+
+/// Half the light, coded as sRGB: about .73 of the tone.
+TEST_F(OpticalFlowTest, DoesNotTakeAJumpOfExposureForMotion) {
+    const auto darker = [](double tone) { return 0.73 * tone; };
+    expect("exposure_still", shifted(0.0, 0.0), 0.15, 0.2, darker);
+    expect("exposure", shifted(3.0, 1.0), 0.15, 0.2, darker);
+}
 
 /// Where there is nothing to see it is what it is around, and a number.
 TEST_F(OpticalFlowTest, IsAtRestWhereThereIsNothing) {

@@ -84,11 +84,11 @@ std::vector<double> distances_off(ShadePicture& picture, const std::vector<glm::
 constexpr double a_line = 0.001;
 
 /// Nearly all of them within half a line's width of the surface, and the others, where a fold runs aslant through a
-/// patch, within a line's.
+/// patch, within two lines'.
 void expect_hugged(const std::vector<double>& off) {
     ASSERT_GT(off.size(), 1000u);
-    EXPECT_LT(off[off.size() * 99 / 100], 0.5 * a_line);
-    EXPECT_LT(off.back(), 1.2 * a_line);
+    EXPECT_LT(off[off.size() * 98 / 100], 0.5 * a_line);
+    EXPECT_LT(off.back(), 1.8 * a_line);
 }
 
 using StrokeSurfaceTest = GlTest;
