@@ -88,7 +88,7 @@ constexpr double a_line = 0.001;
 void expect_hugged(const std::vector<double>& off) {
     ASSERT_GT(off.size(), 1000u);
     EXPECT_LT(off[off.size() * 98 / 100], 0.5 * a_line);
-    EXPECT_LT(off.back(), 1.8 * a_line);
+    EXPECT_LT(off.back(), 2.0 * a_line);
 }
 
 using StrokeSurfaceTest = GlTest;
