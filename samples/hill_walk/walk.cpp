@@ -5,17 +5,13 @@
 #include <hachure/components/compose.h>
 #include <hachure/components/light.h>
 #include <hachure/components/transform.h>
-#include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/ecs/time.h>
-#include <hachure/runtime/error.h>
-#include <hachure/samples/common/lay_figure.h>
+#include <hachure/samples/common/walking_figure.h>
 #include <hachure/systems/model/spawn_model.h>
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "hills.h"
@@ -48,18 +44,6 @@ void walk(Query<Transform, Walker> figures, const Walking& walking, const Time& 
     }
 }
 
-bool walks(const std::string& clip) {
-    std::string lower = clip;
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower.find("walk") != std::string::npos;
-}
-
-/// The height of what stands on y = 0, or rather on its lowest point.
-float height_of(const std::vector<glm::vec3>& points) {
-    const auto [low, high] = std::ranges::minmax(points, {}, &glm::vec3::y);
-    return high.y - low.y;
-}
-
 } // namespace
 
 HillWalk::HillWalk(App& app, const std::vector<std::string>& files, Canvas canvas) : world_(app.world()) {
@@ -81,19 +65,10 @@ void HillWalk::add_ground() {
 
 void HillWalk::add_figure(Part part, const std::string& file) {
     const bool first = part == first_figure;
-    const samples::Build build =
-        first ? samples::Build{figure_height, 1.0f} : samples::Build{0.85f * figure_height, 1.35f};
-    SpawnedModel model = spawn_model(world_, file.empty() ? samples::lay_figure(build) : assets::read_model(file));
-    if (model.points.empty()) throw Error(file, "has nothing to draw");
-    const float height = file.empty() ? build.height : figure_height;
-    if (!model.clips.empty()) {
-        const auto clip = std::ranges::find_if(model.clips, walks);
-        world_.add(model.root, Animation{.clip = clip == model.clips.end() ? model.clips.front() : *clip});
-    }
+    const float height = first || !file.empty() ? figure_height : 0.85f * figure_height;
+    SpawnedModel model = samples::spawn_walking_figure(world_, file, height, first ? 1.0f : 1.35f);
     const Walker walker{.at = glm::half_pi<double>() + (first ? -0.1 : -0.55), .speed = 0.73 * double(height)};
-    Transform& transform = world_.get_mutable<Transform>(model.root);
-    transform.scale = glm::vec3(height / height_of(model.points));
-    place(transform, walker);
+    place(world_.get_mutable<Transform>(model.root), walker);
     world_.add(model.root, walker);
     parts_[part] = {model.root, std::move(model.surfaces)};
 }

@@ -7,17 +7,13 @@
 #include <hachure/components/light.h>
 #include <hachure/components/toon.h>
 #include <hachure/components/transform.h>
-#include <hachure/runtime/assets/read_model.h>
 #include <hachure/runtime/ecs/time.h>
-#include <hachure/runtime/error.h>
-#include <hachure/samples/common/lay_figure.h>
+#include <hachure/samples/common/walking_figure.h>
 #include <hachure/systems/model/spawn_model.h>
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -74,18 +70,6 @@ ShadeStrokes on_ground(ShadeStrokes strokes) {
     return strokes;
 }
 
-bool walks(const std::string& clip) {
-    std::string lower = clip;
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower.find("walk") != std::string::npos;
-}
-
-/// The height of what stands on y = 0, or rather on its lowest point.
-float height_of(const std::vector<glm::vec3>& points) {
-    const auto [low, high] = std::ranges::minmax(points, {}, &glm::vec3::y);
-    return high.y - low.y;
-}
-
 } // namespace
 
 Day::Day(App& app, const std::string& file, Canvas canvas) : world_(app.world()) {
@@ -101,18 +85,10 @@ Day::Day(App& app, const std::string& file, Canvas canvas) : world_(app.world())
 void Day::add_ground() { ground_ = spawn_model(world_, dunes_model()).surfaces; }
 
 void Day::add_figure(const std::string& file) {
-    const samples::Build build{figure_height, 1.1f};
-    SpawnedModel model = spawn_model(world_, file.empty() ? samples::lay_figure(build) : assets::read_model(file));
-    if (model.points.empty()) throw Error(file, "has nothing to draw");
+    SpawnedModel model = samples::spawn_walking_figure(world_, file, figure_height, 1.1f);
     figure_ = model.root;
-    if (!model.clips.empty()) {
-        const auto clip = std::ranges::find_if(model.clips, walks);
-        world_.add(figure_, Animation{.clip = clip == model.clips.end() ? model.clips.front() : *clip});
-    }
     const Walker walker{.at = 0.8, .speed = 0.73 * double(figure_height)};
-    Transform& transform = world_.get_mutable<Transform>(figure_);
-    transform.scale = glm::vec3(file.empty() ? 1.0f : figure_height / height_of(model.points));
-    place(transform, walker);
+    place(world_.get_mutable<Transform>(figure_), walker);
     world_.add(figure_, walker);
     body_ = std::move(model.surfaces);
 }
