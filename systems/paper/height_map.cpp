@@ -1,4 +1,5 @@
 #include <hachure/runtime/assets/image_file.h>
+#include <hachure/runtime/assets/image_luma.h>
 #include <hachure/runtime/error.h>
 #include <hachure/systems/paper/grain.h>
 #include <hachure/systems/paper/height_map.h>
@@ -24,16 +25,6 @@ std::uint32_t lot(std::uint32_t index) {
     std::uint32_t x = (index ^ (index >> 16)) * 0x7feb352du;
     x = (x ^ (x >> 15)) * 0x846ca68bu;
     return x ^ (x >> 16);
-}
-
-float brightness(const assets::Image& image, std::size_t texel) {
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const auto value = [&](std::size_t c) {
-        const std::size_t at = texel * channels + c;
-        return image.type == assets::PixelType::u8 ? static_cast<float>(image.u8()[at]) / 255.0f : image.f32()[at];
-    };
-    // The curve of encoded colours need not be undone: only the order of heights counts.
-    return channels >= 3 ? 0.2126f * value(0) + 0.7152f * value(1) + 0.0722f * value(2) : value(0);
 }
 
 /// A sample of a row of texels that goes round, and how much each counts: a tent, wide enough to leave none out.
@@ -102,7 +93,7 @@ HeightMap picture_heights(const assets::Image& image, float scale, const std::fi
                                 image.height, width, height, max_paper_side, max_paper_side));
     std::vector<float> heights(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
     for (std::size_t i = 0; i < heights.size(); ++i) {
-        heights[i] = brightness(image, i);
+        heights[i] = assets::image_luma(image, i); // encoded: only the order of heights counts
         if (!std::isfinite(heights[i])) throw Error(file.string(), "is no paper: it has heights that are not finite");
     }
     const auto [low, high] = std::ranges::minmax(heights);

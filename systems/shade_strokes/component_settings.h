@@ -4,6 +4,8 @@
 #include <hachure/systems/shade_strokes/shade_settings.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 namespace hachure {
 
@@ -29,6 +31,13 @@ namespace hachure {
     return {.full_shade = std::max(0.0f, strokes.full_shade) / given,
             .no_shade = std::max(0.0f, strokes.no_shade) / given,
             .contrast = std::max(0.01f, strokes.contrast)};
+}
+
+/// Strokes that flicker jump whenever this is another number; 0 for those that do not.
+[[nodiscard]] inline std::uint32_t flicker_tick(const ShadeStrokes& strokes, float time) {
+    if (!(strokes.flicker > 0.0f)) return 0;
+    const double tick = std::floor(double{time} * std::max(0.0f, strokes.flicker_rate));
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(tick)) * 0x9e3779b9u + strokes.seed;
 }
 
 } // namespace hachure

@@ -3,6 +3,7 @@
 #include <hachure/runtime/gpu/frame_graph_key.h>
 #include <hachure/runtime/parallel.h>
 #include <hachure/runtime/scene/view_rects.h>
+#include <hachure/systems/shade_strokes/component_settings.h>
 #include <hachure/systems/shade_strokes/select_shade.h>
 
 #include <fmt/format.h>
@@ -21,15 +22,13 @@ ShadeEye shade_eye(const View& view) {
     return {.place = glm::vec3(view.eye), .axis = view.backward, .perspective = view.eye.w > 0.0f};
 }
 
-/// All of a style that its strokes are drawn by, and what flickers by the moment.
+/// What of a style strokes are drawn by; what chains are laid by changes them (KeptShade::version).
 void add_style(gpu::KeyHash& hash, const ShadeStrokes& style, float time) {
-    for (const float value : {style.amplitude, style.intensity, style.density, style.line_width, style.opacity,
-                              style.flicker, style.contrast, style.dead_band})
+    for (const float value : {style.intensity, style.density, style.line_width, style.opacity, style.flicker})
         hash.add(value);
     hash.add(style.color);
     hash.add(style.tip);
-    hash.add(style.seed);
-    if (style.flicker > 0.0f) hash.add(std::floor(time * style.flicker_rate));
+    hash.add(flicker_tick(style, time));
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include <hachure/runtime/assets/image_luma.h>
 #include <hachure/systems/shade_strokes/shade_density.h>
 
 #include <glm/common.hpp>
@@ -52,18 +53,6 @@ void average_over_cells(const ShadeMesh& mesh, const SurfaceMesh& surface, const
     }
 }
 
-/// The mean of a texel's colours.
-float brightness(const assets::Image& image, int x, int y) {
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const std::size_t colors = channels >= 3 ? 3 : 1; // what else there is is alpha
-    const std::size_t first =
-        (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * channels;
-    float sum = 0.0f;
-    for (std::size_t i = first; i < first + colors; ++i)
-        sum += image.type == assets::PixelType::u8 ? static_cast<float>(image.u8()[i]) / 255.0f : image.f32()[i];
-    return sum / static_cast<float>(colors);
-}
-
 /// Between texels; coordinates have their origin at the upper left, as glTF has it.
 float brightness_at(const assets::Image& image, const glm::vec2& texcoord) {
     if (!std::isfinite(texcoord.x) || !std::isfinite(texcoord.y)) return 1.0f;
@@ -72,7 +61,8 @@ float brightness_at(const assets::Image& image, const glm::vec2& texcoord) {
     const auto texel = [&](int dx, int dy) {
         const int x = (static_cast<int>(corner.x) + dx + image.width) % image.width;
         const int y = (static_cast<int>(corner.y) + dy + image.height) % image.height;
-        return brightness(image, x, y);
+        return assets::image_luma(image, static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                             static_cast<std::size_t>(x));
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), way.x), glm::mix(texel(0, 1), texel(1, 1), way.x), way.y);
 }

@@ -5,11 +5,11 @@
 #include <hachure/runtime/scene/line_layer.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/runtime/scene/view.h>
+#include <hachure/systems/shade_strokes/component_settings.h>
 #include <hachure/systems/shade_strokes/shade_passes.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
 namespace hachure {
@@ -19,13 +19,6 @@ struct ShadePass {
     gpu::TextureHandle depth, coverage;
     LineTarget lines;
 };
-
-/// Strokes jump whenever this is another number.
-std::uint32_t flicker_tick(const ShadeStrokes& style, float time) {
-    if (!(style.flicker > 0.0f)) return 0;
-    const double tick = std::floor(double{time} * std::max(0.0f, style.flicker_rate));
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(tick)) * 0x9e3779b9u + style.seed;
-}
 
 bool wants_coverage(const FrameRequests& requests) {
     return requests.wants("shade_coverage") || requests.wants("stroke_coverage");
@@ -56,7 +49,6 @@ void ShadePasses::declare(World& world) {
                 render.graph.publish("shade_coverage", data.coverage);
             }
             pass.depends_on(world.resource<DrawList>().key, view.key(), frame.key, render.shaders->generation());
-            for (const ShadeSurface& surface : frame.surfaces) pass.depends_on(flicker_tick(surface.style, frame.time));
             pass.draws_in(frame.rect);
         },
         [this, &world, &render](const ShadePass& data, gpu::PassContext& pass) {
