@@ -1,4 +1,5 @@
 #include <hachure/systems/shade_strokes/shade_ribs.h>
+#include <hachure/systems/shade_strokes/stroke_amplitude.h>
 
 #include <glm/geometric.hpp>
 
@@ -14,10 +15,9 @@ namespace {
 using geometry::WalkPlace;
 using geometry::WalkTriangle;
 
-constexpr double usual_radius = 0.25; // of curvature, over the model's size: there the amplitude is the set one
-constexpr double facing = 0.0;        // ribs end where the surface turns by 90 degrees
-constexpr double least_bend = 2e-5;   // over the model's size: less is straight
-constexpr double bend_margin = 0.02;  // of a half: there is no bend nearer to its ends
+constexpr double facing = 0.0;       // ribs end where the surface turns by 90 degrees
+constexpr double least_bend = 2e-5;  // over the model's size: less is straight
+constexpr double bend_margin = 0.02; // of a half: there is no bend nearer to its ends
 
 /// One half of a rib.
 struct HalfRib {
@@ -117,11 +117,7 @@ float shade_amplitude(const ShadeMesh& mesh, const ShadeSettings& settings, cons
     double curvature = 0.0;
     for (std::size_t k = 0; k < 3; ++k)
         curvature += place.weight[static_cast<int>(k)] * double{mesh.directions.curvature[corner[k]]};
-    const double size = mesh.size, by = std::clamp(settings.amplitude_by_curvature, 0.0f, 1.0f);
-    const double radius = 1.0 / std::max(curvature * size, 1e-3); // over the model's size
-    const double wanted = settings.amplitude * (1.0 - by + by * radius / usual_radius);
-    const double least = settings.min_amplitude, most = std::max(settings.max_amplitude, settings.min_amplitude);
-    return static_cast<float>(std::clamp(wanted, least, most) * size);
+    return static_cast<float>(stroke_amplitude(settings, curvature, mesh.size));
 }
 
 ShadeNode make_shade_node(const ShadeMesh& mesh, const ShadeSettings& settings, const WalkPlace& place,

@@ -41,9 +41,9 @@ public:
     }
 
     void step(const std::vector<Entity>& bare = {}) {
-        select_(world.query<const ShadeStrokes>(), Removed<ShadeStrokes>(bare),
-                world.query<const ShadeVolume, const WorldTransform>(), list, store, lights, strength, view, time,
-                frame, needs, counts, layer);
+        select_(world.query<const ShadeStrokes, Optional<const Curvature>, Optional<const PrincipalCurvatures>>(),
+                Removed<ShadeStrokes>(bare), world.query<const ShadeVolume, const WorldTransform>(), list, store,
+                lights, strength, view, time, frame, needs, counts, layer);
     }
 
     void place_sun(double degrees) {
