@@ -23,7 +23,8 @@ struct Curvature {
 };
 
 inline void reflect(TypeBuilder<Curvature>& type) {
-    type.name("curvature").doc("asks for the principal curvatures of a surface");
+    type.name("curvature")
+        .doc("asks for the principal curvatures of a surface; shade strokes on it then follow how it bends");
     type.field("source", &Curvature::source)
         .doc("of a surface that deforms: recomputed from its shape, or carried from its rest pose by its joints, which "
              "is cheaper and wrong where it bends")
