@@ -3,6 +3,7 @@
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/mesh_store.h>
 #include <hachure/systems/animation/animation.h>
+#include <hachure/systems/curvature/curvature.h>
 #include <hachure/systems/deform/deform.h>
 #include <hachure/systems/shade_strokes/shade_counts.h>
 
@@ -16,11 +17,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 13> count_names{
-    "entities",      "surfaces_drawn",    "triangles_drawn",       "models_animated",
-    "clips_sampled", "surfaces_deformed", "vertices_deformed",     "surfaces_deformed_on_gpu",
-    "shade_chains",  "shade_segments",    "shade_triangles_swept", "shade_triangles_touched",
-    "shade_vertices"};
+constexpr std::array<std::string_view, 15> count_names{
+    "entities",       "surfaces_drawn",        "triangles_drawn",       "models_animated",
+    "clips_sampled",  "surfaces_deformed",     "vertices_deformed",     "surfaces_deformed_on_gpu",
+    "shade_chains",   "shade_segments",        "shade_triangles_swept", "shade_triangles_touched",
+    "shade_vertices", "curvatures_recomputed", "curvatures_carried"};
 
 json pass_json(const gpu::PassStats& pass) {
     json result{{"name", pass.name},     {"state", std::string(gpu::to_string(pass.state))},
@@ -47,11 +48,12 @@ std::map<std::string, std::uint64_t> frame_counts(const World& world) {
     for (const DrawItem& item : list.items) triangles += world.resource<MeshStore>().mesh(item.mesh).indices.size() / 3;
     const AnimationCounts& animation = world.resource<AnimationCounts>();
     const DeformCounts& deform = world.resource<DeformCounts>();
+    const CurvatureCounts& curvature = world.resource<CurvatureCounts>();
     const ShadeCounts& shade = world.resource<ShadeCounts>();
     const std::array<std::uint64_t, count_names.size()> counts{
-        world.size(),          list.items.size(),       triangles,     animation.models, animation.clips,
-        deform.surfaces,       deform.vertices,         deform.on_gpu, shade.chains,     shade.segments,
-        shade.triangles_swept, shade.triangles_touched, shade.vertices};
+        world.size(),          list.items.size(),       triangles,      animation.models,     animation.clips,
+        deform.surfaces,       deform.vertices,         deform.on_gpu,  shade.chains,         shade.segments,
+        shade.triangles_swept, shade.triangles_touched, shade.vertices, curvature.recomputed, curvature.carried};
     std::map<std::string, std::uint64_t> result;
     for (std::size_t i = 0; i < counts.size(); ++i) result.emplace(count_names[i], counts[i]);
     return result;

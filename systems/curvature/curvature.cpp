@@ -46,9 +46,9 @@ private:
         bool carries() const { return wanted.source == CurvatureSource::carried && shape && !shape->palette.empty(); }
         void run() const {
             if (carries())
-                work->carry(*mesh, settings, *shape, *out);
+                work->carry(*mesh, wanted, settings, *shape, *out);
             else
-                work->recompute(*mesh, shape, *out);
+                work->recompute(*mesh, wanted, shape, *out);
         }
     };
 

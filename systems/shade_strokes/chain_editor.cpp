@@ -33,7 +33,7 @@ std::uint32_t ChainEditor::grow(std::uint32_t chain, ChainSide side, std::uint32
     if (segment >= chains_.links.size()) chains_.links.resize(segment + 1);
     const std::uint32_t beside = at_end ? own.last : own.first;
     chains_.links[segment] = {
-        at_end ? beside : no_slot, at_end ? no_slot : beside, no_slot, no_slot, shade, own.max_alpha};
+        at_end ? beside : no_slot, at_end ? no_slot : beside, no_slot, no_slot, shade, shade, own.max_alpha};
     if (beside != no_slot) (at_end ? chains_.links[beside].next : chains_.links[beside].previous) = segment;
     (at_end ? own.last : own.first) = segment;
     if (beside == no_slot) own.first = own.last = segment;

@@ -37,6 +37,11 @@ public:
     void wait(std::uint32_t chain, ChainSide side, std::uint32_t cell, const glm::vec3& heading);
     void stop_waiting(std::uint32_t chain, ChainSide side);
 
+    /// Says how narrow a segment is: what share of its area is left, in (0, 1]. Does not refresh its cell.
+    void narrow(std::uint32_t segment, double share) {
+        chains_.links[segment].shade = static_cast<float>(share * chains_.links[segment].laid);
+    }
+
     void set_alpha(std::uint32_t segment, float alpha) {
         if (chains_.segments[segment].alpha != alpha) chains_.segments.edit(segment).alpha = alpha;
     }

@@ -254,6 +254,7 @@ void ChainWalk::lay(std::uint32_t from, double begin, std::uint32_t to, double e
     const double width = double{chains_.nodes[from].amplitude} + chains_.nodes[to].amplitude;
     const double shade = (end - begin) * width * settings_.density / mesh_.cells.area[cell_];
     fresh_.push_back(editor_.grow(chain_, side_, from, to, cell_, static_cast<float>(shade)));
+    editor_.narrow(fresh_.back(), narrowing_.of(chains_.nodes[from], chains_.nodes[to]));
 }
 
 /// Draws the piece as strongly as its cell needs and the chain's pen can.

@@ -5,6 +5,7 @@
 #include <hachure/systems/shade_strokes/shade_mesh.h>
 #include <hachure/systems/shade_strokes/shade_ribs.h>
 #include <hachure/systems/shade_strokes/shade_settings.h>
+#include <hachure/systems/shade_strokes/stroke_narrowing.h>
 
 #include <cstdint>
 #include <optional>
@@ -18,8 +19,9 @@ namespace hachure {
 /// begun, and where the sheet ends.
 class ChainWalk {
 public:
-    ChainWalk(const ShadeMesh& mesh, const ShadeSettings& settings, std::span<const float> needed, ShadeChains& chains)
-        : mesh_(mesh), settings_(settings), needed_(needed), chains_(chains), editor_(chains) {}
+    ChainWalk(const ShadeMesh& mesh, const ShadeSettings& settings, const StrokeNarrowing& narrowing,
+              std::span<const float> needed, ShadeChains& chains)
+        : mesh_(mesh), settings_(settings), narrowing_(narrowing), needed_(needed), chains_(chains), editor_(chains) {}
 
     /// Begins a chain at a place and walks both ways. False when not even one segment came of it.
     bool begin(const geometry::WalkPlace& place, std::uint64_t random);
@@ -67,6 +69,7 @@ private:
 
     const ShadeMesh& mesh_;
     const ShadeSettings& settings_;
+    const StrokeNarrowing& narrowing_;
     std::span<const float> needed_;
     ShadeChains& chains_;
     ChainEditor editor_;

@@ -41,6 +41,25 @@ std::uint64_t density_key(const ShadeInput& input) {
     return hash.value();
 }
 
+/// Whether amplitudes are to follow the curvature of the shape that is drawn, and it is there.
+bool follows_curvature(const ShadeInput& input, const ShadeSettings& settings) {
+    return input.asked && input.curvature && input.asked->source == CurvatureSource::recomputed &&
+           settings.amplitude_by_curvature > 0.0f && shape_is_known(input) &&
+           input.curvature->version == input.item->shape.version &&
+           input.curvature->curvatures.size() == input.surface->positions.size();
+}
+
+/// What a narrowing is found from; never 0.
+std::uint64_t narrowing_key(const ShadeInput& input, const ShadeSettings& settings) {
+    gpu::KeyHash hash;
+    hash.add(input.curvature->version);
+    hash.add(input.asked->method);
+    for (const float value :
+         {settings.amplitude, settings.amplitude_by_curvature, settings.min_amplitude, settings.max_amplitude})
+        hash.add(value);
+    return hash.value() | 1u;
+}
+
 } // namespace
 
 void KeptShade::step(const ShadeInput& input) {
@@ -49,6 +68,10 @@ void KeptShade::step(const ShadeInput& input) {
         mesh_ = input.mesh;
         needed_.assign(mesh_->mesh.cell_count(), 0.0f);
         density_key_ = 0;
+        narrowing_key_ = 0;
+        narrowing_.rest_of = nullptr;
+        update_.narrowing = {};
+        ++narrowing_version_;
     }
     take_shape(input);
     take_density(input);
@@ -62,7 +85,9 @@ void KeptShade::step(const ShadeInput& input) {
     light_.validate();
     light_.run();
     needed_version_ += light_.swept ? 1 : 0;
-    update_strokes(shade_settings(*input.style));
+    const ShadeSettings settings = shade_settings(*input.style);
+    take_curvature(input, settings);
+    update_strokes(settings);
 }
 
 void KeptShade::update_strokes(const ShadeSettings& settings) {
@@ -74,7 +99,7 @@ void KeptShade::update_strokes(const ShadeSettings& settings) {
     update_.chains = &chains_;
     update_.validate();
     update_.run();
-    version_ += anew || update_.stats.touched > 0 ? 1 : 0;
+    version_ += anew || update_.narrowed || update_.stats.touched > 0 ? 1 : 0;
 }
 
 void KeptShade::take_shape(const ShadeInput& input) {
@@ -90,6 +115,26 @@ void KeptShade::take_density(const ShadeInput& input) {
     if (density_key_ != key) paint(input);
     density_key_ = key;
     light_.paint = density_;
+}
+
+void KeptShade::take_curvature(const ShadeInput& input, const ShadeSettings& settings) {
+    const bool follows = follows_curvature(input, settings);
+    const std::uint64_t key = follows ? narrowing_key(input, settings) : 0;
+    update_.narrowed = key != narrowing_key_;
+    if (!update_.narrowed) return;
+    narrowing_key_ = key;
+    ++narrowing_version_;
+    update_.narrowing = {};
+    if (!follows) return;
+    narrowing_.positions = input.surface->positions;
+    narrowing_.indices = input.surface->indices;
+    narrowing_.curvatures = input.curvature->curvatures;
+    narrowing_.method = input.asked->method;
+    narrowing_.settings = settings;
+    narrowing_.size = double{mesh_->mesh.size};
+    narrowing_.validate();
+    narrowing_.run();
+    update_.narrowing = {narrowing_.shares, input.surface->indices};
 }
 
 void KeptShade::paint(const ShadeInput& input) {

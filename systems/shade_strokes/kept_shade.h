@@ -1,5 +1,6 @@
 #pragma once
 
+#include <hachure/components/curvature.h>
 #include <hachure/components/shade_strokes.h>
 #include <hachure/runtime/scene/draw_list.h>
 #include <hachure/runtime/scene/light_list.h>
@@ -7,6 +8,7 @@
 #include <hachure/systems/shade_strokes/shade_density.h>
 #include <hachure/systems/shade_strokes/shade_light.h>
 #include <hachure/systems/shade_strokes/shade_meshes.h>
+#include <hachure/systems/shade_strokes/shade_narrowing.h>
 #include <hachure/systems/shade_strokes/shade_update.h>
 
 #include <cstdint>
@@ -27,6 +29,8 @@ struct ShadeInput {
     ShadeEye eye;
     const assets::Image* picture = nullptr; ///< that paints density; null where none does
     std::span<const PlacedVolume> volumes;  ///< likewise
+    const Curvature* asked = nullptr;       ///< by what amplitudes are to follow the deformed surface; null: not at all
+    const PrincipalCurvatures* curvature = nullptr; ///< that came of it; null where nothing has yet
 };
 
 /// The strokes of one entity, kept from frame to frame with all that brings them up to date. Entities are independent
@@ -42,6 +46,10 @@ public:
     [[nodiscard]] const ShadeChains& chains() const { return chains_; }
     [[nodiscard]] std::span<const float> needed() const { return needed_; }                 ///< per cell
     [[nodiscard]] std::span<const glm::vec3> positions() const { return light_.positions; } ///< of the last step
+    /// How much of their amplitude strokes keep, per vertex of the mesh; none where all of it. Another version whenever
+    /// it is another.
+    [[nodiscard]] std::span<const float> narrowing() const { return update_.narrowing.shares; }
+    [[nodiscard]] std::uint64_t narrowing_version() const { return narrowing_version_; }
     /// Another number whenever strokes are others.
     [[nodiscard]] std::uint64_t version() const { return version_; }
     /// Another number whenever needs may be.
@@ -56,17 +64,20 @@ public:
 private:
     void take_shape(const ShadeInput& input);
     void take_density(const ShadeInput& input);
+    void take_curvature(const ShadeInput& input, const ShadeSettings& settings);
     void paint(const ShadeInput& input);
     void update_strokes(const ShadeSettings& settings);
 
     std::shared_ptr<const SharedShadeMesh> mesh_;
     ShadeLightJob light_;
+    ShadeNarrowingJob narrowing_;
     ShadeUpdateJob update_;
     ShadeChains chains_;
-    std::vector<float> needed_;     ///< per cell
-    std::vector<float> density_;    ///< per cell; empty where nothing paints any
-    std::uint64_t density_key_ = 0; ///< of what density was painted from
-    std::uint64_t version_ = 0, needed_version_ = 0;
+    std::vector<float> needed_;       ///< per cell
+    std::vector<float> density_;      ///< per cell; empty where nothing paints any
+    std::uint64_t density_key_ = 0;   ///< of what density was painted from
+    std::uint64_t narrowing_key_ = 0; ///< of what the narrowing was found from; 0: none
+    std::uint64_t version_ = 0, needed_version_ = 0, narrowing_version_ = 0;
 };
 
 } // namespace hachure

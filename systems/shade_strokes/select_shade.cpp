@@ -33,7 +33,7 @@ void add_style(gpu::KeyHash& hash, const ShadeStrokes& style, float time) {
 
 } // namespace
 
-void SelectShade::operator()(Query<const ShadeStrokes> styled, Removed<ShadeStrokes> bare,
+void SelectShade::operator()(StyledSurfaces styled, Removed<ShadeStrokes> bare,
                              Query<const ShadeVolume, const WorldTransform> volumes, const DrawList& list,
                              const MeshStore& store, const LightList& lights, const LightStrength& strength,
                              const View& view, const Time& time, ShadeFrame& frame, ShadeNeeds& needs,
@@ -60,18 +60,18 @@ void SelectShade::operator()(Query<const ShadeStrokes> styled, Removed<ShadeStro
     layer.set("shade_strokes", frame.rect);
 }
 
-void SelectShade::find_surfaces(const Query<const ShadeStrokes>& styled, const DrawList& list, const MeshStore& store) {
+void SelectShade::find_surfaces(const StyledSurfaces& styled, const DrawList& list, const MeshStore& store) {
     shaded_.clear();
     for (std::size_t i = 0; i < list.items.size(); ++i) {
         const DrawItem& item = list.items[i];
         const auto found = styled.find(item.entity);
         if (!found || store.mesh(item.mesh).indices.empty()) continue;
-        const ShadeStrokes& style = std::get<const ShadeStrokes&>(*found);
+        const auto& [self, style, asked, curvature] = *found;
         if (!draws_anything(style)) continue;
         std::unique_ptr<KeptShade>& kept = kept_[item.entity];
         if (!kept) kept = std::make_unique<KeptShade>();
         meshes_.want(store, item.mesh, style.cells);
-        shaded_.push_back({i, &style, kept.get()});
+        shaded_.push_back({i, &style, asked, curvature, kept.get()});
     }
     meshes_.make_wanted();
 }
@@ -110,7 +110,9 @@ void SelectShade::step(const DrawList& list, const MeshStore& store, const Light
                            .strongest = strongest,
                            .eye = shade_eye(view),
                            .picture = picture_of(*shaded.style),
-                           .volumes = volumes_});
+                           .volumes = volumes_,
+                           .asked = shaded.curvature_asked,
+                           .curvature = shaded.curvature});
     }
     parallel_for(shaded_.size(), [this](std::size_t i) { shaded_[i].kept->step(inputs_[i]); });
     inputs_.clear(); // so that nobody but the strokes holds a mesh
@@ -140,8 +142,8 @@ void SelectShade::fill(const DrawList& list, const View& view, ShadeFrame& frame
     for (const Shaded& shaded : shaded_) {
         const DrawItem& item = list.items[shaded.item];
         KeptShade& kept = *shaded.kept;
-        frame.surfaces.push_back(
-            {item.entity, shaded.item, *shaded.style, &kept.mesh(), &kept.chains(), item.world_from_entity});
+        frame.surfaces.push_back({item.entity, shaded.item, *shaded.style, &kept.mesh(), &kept.chains(),
+                                  kept.narrowing(), kept.narrowing_version(), item.world_from_entity});
         // Strokes are as wide as they are on both sides of what they shade; charcoal leaves crumbs beside them.
         const float beside = std::min(2.0f * shaded.style->line_width, 256.0f);
         frame.rect = united(frame.rect, grown(item.rect, static_cast<int>(std::ceil(beside)) + 2, view));

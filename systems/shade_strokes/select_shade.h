@@ -1,5 +1,6 @@
 #pragma once
 
+#include <hachure/components/curvature.h>
 #include <hachure/components/shade_strokes.h>
 #include <hachure/components/shade_volume.h>
 #include <hachure/components/world_transform.h>
@@ -26,13 +27,16 @@
 
 namespace hachure {
 
+/// Those with strokes; where they carry a Curvature, too, amplitudes follow it.
+using StyledSurfaces = Query<const ShadeStrokes, Optional<const Curvature>, Optional<const PrincipalCurvatures>>;
+
 /// The system that keeps the strokes of all surfaces: it finds those in view that carry ShadeStrokes, brings their
 /// strokes to what the lights of this frame need, and fills in the ShadeFrame and what belongs to it. Strokes of
 /// surfaces out of view are kept as they are, and go with the component. A frame without ShadeStrokes allocates
 /// nothing.
 class SelectShade {
 public:
-    void operator()(Query<const ShadeStrokes> styled, Removed<ShadeStrokes> bare,
+    void operator()(StyledSurfaces styled, Removed<ShadeStrokes> bare,
                     Query<const ShadeVolume, const WorldTransform> volumes, const DrawList& list,
                     const MeshStore& store, const LightList& lights, const LightStrength& strength, const View& view,
                     const Time& time, ShadeFrame& frame, ShadeNeeds& needs, ShadeCounts& counts, LineLayer& layer);
@@ -42,10 +46,12 @@ private:
     struct Shaded {
         std::size_t item;
         const ShadeStrokes* style;
+        const Curvature* curvature_asked;
+        const PrincipalCurvatures* curvature;
         KeptShade* kept;
     };
 
-    void find_surfaces(const Query<const ShadeStrokes>& styled, const DrawList& list, const MeshStore& store);
+    void find_surfaces(const StyledSurfaces& styled, const DrawList& list, const MeshStore& store);
     void place_volumes(const Query<const ShadeVolume, const WorldTransform>& volumes);
     void step(const DrawList& list, const MeshStore& store, const LightList& lights, float strongest, const View& view);
     void count(const DrawList& list, const MeshStore& store, ShadeCounts& counts) const;

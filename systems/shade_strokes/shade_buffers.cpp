@@ -17,9 +17,11 @@ gpu::Buffer gpu_buffer(std::size_t bytes, const char* label) {
 
 } // namespace
 
-void ShadeBuffers::update(ShadeChains& chains) {
-    const bool other = chains_ != &chains;
-    if (!other && !chains.nodes.changed() && !chains.segments.changed()) return;
+void ShadeBuffers::update(ShadeChains& chains, std::span<const float> shares_now, std::uint64_t shares_version) {
+    const bool other = chains_ != &chains, narrowed = other || shares_version != shares_version_;
+    if (!narrowed && !chains.nodes.changed() && !chains.segments.changed()) return;
+    if (narrowed) copy_shares(shares_now);
+    shares_version_ = shares_version;
     chains_ = &chains;
     node_count_ = static_cast<std::uint32_t>(chains.nodes.all().size());
     segment_count_ = static_cast<std::uint32_t>(chains.segments.all().size());
@@ -59,6 +61,18 @@ void ShadeBuffers::grow_segments(std::size_t count) {
     vertex_array = gpu::VertexArray("shade strokes");
     vertex_array.set_attribute({.components = 1, .type = GL_UNSIGNED_INT, .kind = gpu::AttributeKind::integer});
     vertex_array.set_vertex_buffer(0, list, sizeof(std::uint32_t), 0, 1);
+}
+
+void ShadeBuffers::copy_shares(std::span<const float> values) {
+    if (values.empty()) {
+        shares = gpu::Buffer();
+        return;
+    }
+    if (!shares || shares.bytes() != values.size_bytes())
+        shares = gpu::Buffer(values.size_bytes(), gpu::BufferUsage::dynamic, "shade narrowing");
+    shares.update(values);
+    ++uploads_.calls;
+    uploads_.bytes += values.size_bytes();
 }
 
 /// Of cells there are few, and no record of which changed.

@@ -25,7 +25,9 @@ struct ShadeUploads {
 class ShadeBuffers {
 public:
     /// Copies what changed since the last call, or all of it for other chains than then; their changes are forgotten.
-    void update(ShadeChains& chains);
+    /// `shares`: how much of their amplitude strokes keep, per vertex of the mesh, or none; with another version
+    /// whenever they are others.
+    void update(ShadeChains& chains, std::span<const float> shares = {}, std::uint64_t shares_version = 0);
 
     [[nodiscard]] std::uint32_t node_count() const { return node_count_; }
     [[nodiscard]] std::uint32_t segment_count() const { return segment_count_; }
@@ -36,6 +38,7 @@ public:
     gpu::Buffer nodes;     ///< ShadeNode per slot
     gpu::Buffer segments;  ///< ShadeSegment per slot
     gpu::Buffer delivered; ///< float per cell: shade
+    gpu::Buffer shares;    ///< float per vertex of the mesh; none where strokes keep all of their amplitude
 
     // Written by the GPU, as shaders/shade_strokes has them.
     gpu::Buffer ribs;              ///< per node: places of its rib points in the world
@@ -48,10 +51,12 @@ private:
     void grow_nodes(std::size_t count);
     void grow_segments(std::size_t count);
     template <class T> bool patch(gpu::Buffer& buffer, const SlotArray<T>& values, bool all);
+    void copy_shares(std::span<const float> values);
     void patch_delivered(const ShadeChains& chains);
 
     const ShadeChains* chains_ = nullptr;
     std::uint32_t node_count_ = 0, segment_count_ = 0;
+    std::uint64_t shares_version_ = 0;
     std::vector<float> last_delivered_, new_delivered_;
     ShadeUploads uploads_;
 };

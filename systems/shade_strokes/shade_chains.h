@@ -46,7 +46,8 @@ struct ShadeSegment {
 struct ShadeSegmentLinks {
     std::uint32_t previous, next;           ///< segments beside it in the chain, or `no_slot`
     std::uint32_t cell_previous, cell_next; ///< segments beside it in its cell's list, or `no_slot`
-    float shade;                            ///< that it delivers to its cell at alpha 1
+    float shade;                            ///< that it delivers to its cell at alpha 1, as narrow as it is now
+    float laid;                             ///< the same with all of its amplitude
     float max_alpha;                        ///< the pressure of the pen that drew it, in (0, 1]
 };
 

@@ -71,7 +71,9 @@ void ShadeStrokeDraw::find() const {
 }
 
 void ShadeStrokeDraw::place_ribs() const {
-    gpu::Program& program = shaders->program({.compute = "shade_strokes/ribs.comp"});
+    gpu::ProgramSource source{.compute = "shade_strokes/ribs.comp"};
+    if (buffers->shares) source.defines.push_back({"NARROWED", ""});
+    gpu::Program& program = shaders->program(source);
     program.set("node_count", buffers->node_count());
     program.set("triangle_count", triangles);
     program.set("world_from_mesh", world_from_mesh);
@@ -79,6 +81,7 @@ void ShadeStrokeDraw::place_ribs() const {
     buffers->nodes.bind_base(BufferBinding::storage, 1);
     buffers->ribs.bind_base(BufferBinding::storage, 2);
     positions->bind_base(BufferBinding::storage, 3);
+    if (buffers->shares) buffers->shares.bind_base(BufferBinding::storage, 4);
     run_groups(program, buffers->node_count());
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hachure {
@@ -20,7 +21,9 @@ struct ShadeSurface {
     std::size_t item = 0; ///< into DrawList::items
     ShadeStrokes style;
     const ShadeMesh* mesh = nullptr;
-    ShadeChains* chains = nullptr; ///< as the light of this frame needs them; who uploads forgets their changes
+    ShadeChains* chains = nullptr;    ///< as the light of this frame needs them; who uploads forgets their changes
+    std::span<const float> narrowing; ///< per vertex: how much of their amplitude strokes keep; or none: all of it
+    std::uint64_t narrowing_version = 0;
     glm::mat4 world_from_mesh{1.0f};
 };
 

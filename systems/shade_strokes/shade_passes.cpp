@@ -75,7 +75,7 @@ void ShadePasses::draw(World& world, const gpu::Texture& depth, bool coverage) {
     for (const ShadeSurface& surface : frame.surfaces) {
         const DrawItem& item = list.items[surface.item];
         ShadeBuffers& buffers = buffers_[surface.entity];
-        buffers.update(*surface.chains);
+        buffers.update(*surface.chains, surface.narrowing, surface.narrowing_version);
         const ShadeStrokeDraw strokes{.shaders = render.shaders.get(),
                                       .patterns = &*patterns_,
                                       .buffers = &buffers,

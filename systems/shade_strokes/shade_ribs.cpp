@@ -1,5 +1,6 @@
 #include <hachure/systems/shade_strokes/half_rib.h>
 #include <hachure/systems/shade_strokes/shade_ribs.h>
+#include <hachure/systems/shade_strokes/stroke_amplitude.h>
 
 #include <glm/geometric.hpp>
 
@@ -13,8 +14,6 @@ namespace {
 
 using geometry::WalkPlace;
 using geometry::WalkTriangle;
-
-constexpr double usual_radius = 0.25; // of curvature, over the model's size: there the amplitude is the set one
 
 std::array<double, rib_points> sides(const ShadeNode& node) { return {-1.0, node.bend[0], 0.0, node.bend[1], 1.0}; }
 
@@ -44,11 +43,7 @@ float shade_amplitude(const ShadeMesh& mesh, const ShadeSettings& settings, cons
     double curvature = 0.0;
     for (std::size_t k = 0; k < 3; ++k)
         curvature += place.weight[static_cast<int>(k)] * double{mesh.directions.curvature[corner[k]]};
-    const double size = mesh.size, by = std::clamp(settings.amplitude_by_curvature, 0.0f, 1.0f);
-    const double radius = 1.0 / std::max(curvature * size, 1e-3); // over the model's size
-    const double wanted = settings.amplitude * (1.0 - by + by * radius / usual_radius);
-    const double least = settings.min_amplitude, most = std::max(settings.max_amplitude, settings.min_amplitude);
-    return static_cast<float>(std::clamp(wanted, least, most) * size);
+    return static_cast<float>(stroke_amplitude(settings, curvature, mesh.size));
 }
 
 ShadeRib make_shade_rib(const ShadeMesh& mesh, const ShadeSettings& settings, const WalkPlace& place,

@@ -8,9 +8,7 @@
 
 namespace hachure {
 
-/// Half the width of strokes at a place, in the mesh's units: the radius of the first principal curvature as far as the
-/// settings ask for that (section 2.3.3.1: "the inverse of the interpolated curvature"), within their limits, which
-/// hold on planes. Always finite.
+/// Half the width of strokes at a place of the rest pose, in the mesh's units, as `stroke_amplitude` has it.
 [[nodiscard]] float shade_amplitude(const ShadeMesh& mesh, const ShadeSettings& settings,
                                     const geometry::WalkPlace& place);
 

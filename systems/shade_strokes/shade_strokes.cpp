@@ -22,7 +22,7 @@ void register_shade_strokes(App& app) {
     know_shade_aovs(frame_requests(world));
     app.add_system(Stage::material, "shade_strokes.select",
                    [select = std::make_shared<SelectShade>()](
-                       Query<const ShadeStrokes> styled, Removed<ShadeStrokes> bare,
+                       StyledSurfaces styled, Removed<ShadeStrokes> bare,
                        Query<const ShadeVolume, const WorldTransform> volumes, const DrawList& list,
                        const MeshStore& store, const LightList& lights, const LightStrength& strength, const View& view,
                        const Time& time, ShadeFrame& frame, ShadeNeeds& needs, ShadeCounts& counts, LineLayer& layer) {

@@ -58,15 +58,17 @@ void ShadeUpdateJob::run() {
     const bool anew = last_mesh != mesh || !(last_settings == settings);
     if (anew) start_over();
     touched_.clear();
-    if (!changed && !anew) return;
+    if (!changed && !narrowed && !anew) return;
+    ChainEditor editor(*chains);
+    if (narrowed)
+        for (std::uint32_t cell = 0; cell < mesh->cell_count(); ++cell) narrow(editor, cell);
     for (const std::uint32_t cell : mesh->order)
         if (differs(cell)) touched_.push_back(cell);
     stats.swept = static_cast<std::uint32_t>(mesh->order.size());
     stats.touched = static_cast<std::uint32_t>(touched_.size());
-    ChainEditor editor(*chains);
     for (const std::uint32_t cell : touched_)
         if (missing(cell) < 0.0f) weaken(editor, cell);
-    ChainWalk walk(*mesh, settings, needed, *chains);
+    ChainWalk walk(*mesh, settings, narrowing, needed, *chains);
     for (const std::uint32_t cell : touched_) {
         // Chains that came by may have brought enough already.
         if (missing(cell) > 0.0f) strengthen(editor, cell);
@@ -76,6 +78,19 @@ void ShadeUpdateJob::run() {
     }
     stats.steps = walk.steps;
     stats.joined = walk.joined;
+}
+
+/// Accounts for how narrow the strokes of a cell are. One that could not meet its need and has less now tries again.
+void ShadeUpdateJob::narrow(ChainEditor& editor, std::uint32_t cell) {
+    ShadeCellState& state = chains->cells[cell];
+    if (state.first == no_slot) return;
+    const float before = state.delivered;
+    for (std::uint32_t s = state.first; s != no_slot; s = chains->links[s].cell_next) {
+        const ShadeSegment& segment = chains->segments[s];
+        editor.narrow(s, narrowing.of(chains->nodes[segment.from], chains->nodes[segment.to]));
+    }
+    editor.refresh(cell);
+    if (state.delivered < before) state.unmet = -1.0f;
 }
 
 bool ShadeUpdateJob::differs(std::uint32_t cell) const {

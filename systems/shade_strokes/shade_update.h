@@ -4,6 +4,7 @@
 #include <hachure/systems/shade_strokes/shade_chains.h>
 #include <hachure/systems/shade_strokes/shade_mesh.h>
 #include <hachure/systems/shade_strokes/shade_settings.h>
+#include <hachure/systems/shade_strokes/stroke_narrowing.h>
 
 #include <glm/vec3.hpp>
 
@@ -32,14 +33,17 @@ struct ShadeUpdateStats {
 /// differs by no more than the dead band stays, but where nothing is needed nothing stays. Where more is needed,
 /// strokes get stronger, then chains that wait at the cell go on into it, then new ones are begun; where less, they get
 /// weaker, ends of chains first, and those that fade out go, which may split a chain. Ends that meet are joined.
+/// Strokes that are drawn narrower than they were laid deliver as much less.
 ///
-/// The result is a function of mesh, settings and the sequence of needs since the chains were empty, bit for bit. The
-/// cost is that of the cells touched, besides one comparison per cell.
+/// The result is a function of mesh, settings and the sequence of needs and narrowings since the chains were empty, bit
+/// for bit. The cost is that of the cells touched, besides one comparison per cell.
 struct ShadeUpdateJob {
     const ShadeMesh* mesh = nullptr;
     ShadeSettings settings{};        ///< with other ones than in the run before, all strokes are drawn anew
     std::span<const float> needed{}; ///< per cell, in [0, 1], as of ShadeLightJob
     bool changed = true;             ///< whether `needed` may be another one than in the run before
+    StrokeNarrowing narrowing{};     ///< how narrow strokes are drawn
+    bool narrowed = false;           ///< whether that may be another one than in the run before
     ShadeChains* chains = nullptr;   ///< in and out
 
     ShadeUpdateStats stats{}; ///< out
@@ -61,6 +65,7 @@ struct ShadeUpdateJob {
 
 private:
     void start_over();
+    void narrow(ChainEditor& editor, std::uint32_t cell);
     [[nodiscard]] bool differs(std::uint32_t cell) const;
     void weaken(ChainEditor& editor, std::uint32_t cell);
     [[nodiscard]] double list_fading(std::uint32_t cell);

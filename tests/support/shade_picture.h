@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hachure::test {
@@ -65,12 +66,18 @@ public:
         vertex_array_.set_vertex_buffer(0, positions_, sizeof(glm::vec3));
     }
 
+    /// What share of their amplitude strokes keep from now on, per vertex; or none for all of it.
+    void narrow(std::vector<float> now) {
+        shares_ = std::move(now);
+        ++shares_version_;
+    }
+
     /// The coverage of each pixel, rows from the bottom.
     std::vector<float> draw(const View& view) {
         if (!coverage_ || coverage_.width() != view.width || coverage_.height() != view.height) make_targets(view);
         gpu::gl().ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); // as Renderer has it
         view_uniforms_.bind(view, LightList{});
-        buffers.update(chains);
+        buffers.update(chains, shares_, shares_version_);
         draw_depth(view);
         const ShadeStrokeDraw strokes = stroke_draw();
         strokes.find();
@@ -127,6 +134,8 @@ private:
         gpu::gl().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles_), GL_UNSIGNED_INT, nullptr);
     }
 
+    std::vector<float> shares_;
+    std::uint64_t shares_version_ = 0;
     float size_;
     std::uint32_t triangles_;
     gpu::Buffer positions_, indices_;

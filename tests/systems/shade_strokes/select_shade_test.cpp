@@ -41,9 +41,9 @@ public:
     }
 
     void step(const std::vector<Entity>& bare = {}) {
-        select_(world.query<const ShadeStrokes>(), Removed<ShadeStrokes>(bare),
-                world.query<const ShadeVolume, const WorldTransform>(), list, store, lights, strength, view, time,
-                frame, needs, counts, layer);
+        select_(world.query<const ShadeStrokes, Optional<const Curvature>, Optional<const PrincipalCurvatures>>(),
+                Removed<ShadeStrokes>(bare), world.query<const ShadeVolume, const WorldTransform>(), list, store,
+                lights, strength, view, time, frame, needs, counts, layer);
     }
 
     void place_sun(double degrees) {
@@ -267,6 +267,36 @@ TEST(SelectShadeTest, LightFollowsTheDeformedShape) {
     deformed.list.items[0].shape.version = 2;
     deformed.step();
     EXPECT_GT(deformed.counts.triangles_swept, 0u);
+}
+
+TEST(SelectShadeTest, AmplitudesFollowCurvatureWhereItIsAskedForAndThere) {
+    ShadeWorld world;
+    const geometry::Shape ball = geometry::icosphere(1.0, 3);
+    const Entity entity = world.add(ball, {.amplitude_by_curvature = 1.0f, .min_amplitude = 0.001f, .cells = 300});
+    DrawItem& item = world.list.items[0];
+    item.shape = {.positions = ball.positions, .normals = ball.normals, .tangents = {}, .version = 5};
+    const auto narrowing = [&] {
+        world.step();
+        return world.frame.surfaces[0].narrowing;
+    };
+    const std::vector<glm::vec2> curvatures(ball.positions.size(), glm::vec2(2.0f)); // of half the radius
+    world.world.add(entity, PrincipalCurvatures{.curvatures = curvatures, .version = 5});
+    EXPECT_TRUE(narrowing().empty()) << "nobody asks";
+    world.world.add(entity, Curvature{});
+    ASSERT_EQ(narrowing().size(), ball.positions.size());
+    for (const float share : narrowing()) EXPECT_NEAR(share, 0.5f, 0.02f);
+    const std::uint64_t version = world.frame.surfaces[0].narrowing_version, key = world.frame.key;
+    narrowing();
+    EXPECT_EQ(world.frame.surfaces[0].narrowing_version, version) << "nothing moved";
+    EXPECT_EQ(world.frame.key, key);
+    world.world.add(entity, Curvature{.method = geometry::CurvatureMethod::quartic});
+    narrowing();
+    EXPECT_NE(world.frame.surfaces[0].narrowing_version, version);
+    EXPECT_NE(world.frame.key, key);
+    item.shape.version = 6;
+    EXPECT_TRUE(narrowing().empty()) << "they are of another shape";
+    item.shape = {};
+    EXPECT_TRUE(narrowing().empty()) << "it does not deform";
 }
 
 TEST(SelectShadeTest, TheSameWithAnyNumberOfThreads) {

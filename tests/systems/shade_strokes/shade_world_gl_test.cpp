@@ -1,6 +1,7 @@
 // Shade strokes in a world with everything else: what their AOVs show, what a frame costs, what they follow.
 
 #include <hachure/components/animation.h>
+#include <hachure/components/curvature.h>
 #include <hachure/components/deform.h>
 #include <hachure/components/light.h>
 #include <hachure/components/shade_strokes.h>
@@ -269,12 +270,13 @@ TEST_P(ShadeWorldTest, AVolumeIsAnEntity) {
 /// An arm that bends while the sun goes round.
 class BendingArm {
 public:
-    explicit BendingArm(gpu::Context& context) : scene(context, shade_canvas) {
+    explicit BendingArm(gpu::Context& context, bool follow_curvature = false) : scene(context, shade_canvas) {
         const SpawnedModel arm = spawn_model(scene.world(), arm_model());
         scene.world().add(arm.root, Animation{.clip = "bend"});
         surface = arm.surfaces[0];
         scene.world().add(surface, ShadeStrokes{.cells = 600});
         scene.world().add(surface, Deform{.device = DeformDevice::gpu});
+        if (follow_curvature) scene.world().add(surface, Curvature{});
         spawn_framing_camera(scene.world(), arm.points, shade_canvas);
         sun_ = scene.world().create_with(shining_from(sun_from), Light{});
         scene.renderer().request_aov("shade_delivered");
@@ -319,15 +321,45 @@ TEST_P(ShadeWorldTest, StrokesFollowASurfaceThatDeforms) {
     EXPECT_GT(touched, 0u);
 }
 
+/// Strokes get narrow where it bends, are as many more as that takes, and get wide again as it straightens.
+TEST_P(ShadeWorldTest, AmplitudesFollowTheCurvatureOfWhatDeforms) {
+    BendingArm arm(context(), true), plain(context());
+    for (BendingArm* of : {&arm, &plain}) {
+        of->scene.world().get_mutable<ShadeStrokes>(of->surface).amplitude = 0.06f;
+        of->scene.world().get_mutable<ShadeStrokes>(of->surface).amplitude_by_curvature = 1.0f;
+    }
+    const auto shares = [](BendingArm& of) { return of.scene.world().resource<ShadeFrame>().surfaces[0].narrowing; };
+    const auto segments = [](BendingArm& of) { return of.scene.world().resource<ShadeCounts>().segments; };
+    int frame = 0;
+    const auto step_to = [&](int end) {
+        for (; frame < end; ++frame)
+            for (BendingArm* of : {&arm, &plain}) of->step(true);
+    };
+    step_to(1);
+    EXPECT_GT(std::ranges::min(shares(arm)), 0.99f) << "it does not bend yet";
+    step_to(11); // to 75 degrees
+    EXPECT_LT(std::ranges::min(shares(arm)), 0.85f);
+    EXPECT_GT(std::ranges::max(shares(arm)), 0.99f);
+    EXPECT_TRUE(shares(plain).empty()) << "nobody asked";
+    EXPECT_GT(segments(arm), segments(plain));
+    step_to(12); // the clip begins again
+    EXPECT_GT(std::ranges::min(shares(arm)), 0.99f);
+    step_to(20);
+    EXPECT_LT(std::ranges::min(shares(arm)), 0.95f);
+    arm.scene.world().add(arm.surface, Curvature{.source = CurvatureSource::carried});
+    step_to(21);
+    EXPECT_TRUE(shares(arm).empty()) << "that knows of no bend";
+}
+
 /// Frames that are lived through without being drawn leave the strokes that drawn ones do.
 TEST_P(ShadeWorldTest, StartedInTheMiddleFramesAreTheSame) {
-    BendingArm whole(context()), late(context());
+    BendingArm whole(context(), true), late(context(), true);
     for (int i = 0; i < 7; ++i) whole.step(true);
     for (int i = 0; i < 6; ++i) late.step(false);
     late.step(true);
     EXPECT_TRUE(whole.frame() == late.frame());
     // Not so when they are left out: strokes depend on how the light came.
-    BendingArm jumped(context());
+    BendingArm jumped(context(), true);
     jumped.step(true);
     EXPECT_FALSE(jumped.frame() == whole.frame());
 }
@@ -335,7 +367,7 @@ TEST_P(ShadeWorldTest, StartedInTheMiddleFramesAreTheSame) {
 TEST_P(ShadeWorldTest, ThreadsGiveTheSameFrames) {
     const auto frames = [&](int threads) {
         const ThreadLimit limit(threads);
-        BendingArm arm(context());
+        BendingArm arm(context(), true);
         std::vector<BendingArm::Frame> result;
         for (int i = 0; i < 5; ++i) {
             arm.step(true);
