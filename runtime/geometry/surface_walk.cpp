@@ -105,11 +105,11 @@ WalkStep walk_step(const WalkTriangle& triangle, const glm::dvec3& weight, const
     return step;
 }
 
-bool cross_edge(const SurfaceSheets& sheets, WalkPlace& place, std::uint32_t& edge, glm::dvec3& direction) {
+bool cross_edge(const SurfaceSheets& sheets, WalkPlace& place, WalkTriangle& triangle, std::uint32_t& edge,
+                glm::dvec3& direction) {
     WalkPlace next = place;
     std::uint32_t over = edge;
-    const WalkTriangle from(sheets, place.triangle);
-    const glm::dvec3 line = from.corner[(edge + 1) % 3] - from.corner[edge];
+    const glm::dvec3 line = triangle.corner[(edge + 1) % 3] - triangle.corner[edge];
     for (std::uint32_t passed = 0; passed < most_flat; ++passed) {
         const std::uint32_t back = sheets.opposite[3 * next.triangle + over];
         if (back == SurfaceSheets::none) return false;
@@ -132,18 +132,24 @@ bool cross_edge(const SurfaceSheets& sheets, WalkPlace& place, std::uint32_t& ed
         if (!(lengths > 0.0)) return false;
         direction = glm::normalize(turned);
         place = next;
+        triangle = to;
         edge = back % 3;
         return true;
     }
     return false;
 }
 
+bool cross_edge(const SurfaceSheets& sheets, WalkPlace& place, std::uint32_t& edge, glm::dvec3& direction) {
+    WalkTriangle triangle(sheets, place.triangle);
+    return cross_edge(sheets, place, triangle, edge, direction);
+}
+
 double walk_straight(const SurfaceSheets& sheets, WalkPlace& place, glm::dvec3& direction, double length,
                      const glm::dvec3& normal, double least_cosine) {
     double done = 0.0;
     std::uint32_t idle = 0;
+    WalkTriangle triangle(sheets, place.triangle);
     for (std::uint32_t i = 0; i < most_steps && idle < most_idle; ++i) {
-        const WalkTriangle triangle(sheets, place.triangle);
         if (triangle.flat || glm::dot(triangle.normal, normal) < least_cosine) return done;
         const WalkStep step = walk_step(triangle, place.weight, direction, length - done);
         place.weight = step.weight;
@@ -151,7 +157,7 @@ double walk_straight(const SurfaceSheets& sheets, WalkPlace& place, glm::dvec3& 
         idle = step.length > 0.0 ? 0 : idle + 1;
         if (step.edge == WalkStep::inside) return length; // exactly, whatever the sum of steps has lost
         std::uint32_t edge = step.edge;
-        if (!cross_edge(sheets, place, edge, direction)) return done;
+        if (!cross_edge(sheets, place, triangle, edge, direction)) return done;
     }
     return done;
 }

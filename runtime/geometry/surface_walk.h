@@ -53,6 +53,10 @@ struct WalkStep {
 [[nodiscard]] bool cross_edge(const SurfaceSheets& sheets, WalkPlace& place, std::uint32_t& edge,
                               glm::dvec3& direction);
 
+/// The same for who has the place's triangle at hand; it becomes the one behind the edge.
+[[nodiscard]] bool cross_edge(const SurfaceSheets& sheets, WalkPlace& place, WalkTriangle& triangle,
+                              std::uint32_t& edge, glm::dvec3& direction);
+
 /// Walks straight ahead for `length` as far as the sheet goes and its normal stays within `least_cosine` of `normal`;
 /// returns how far it came. `place` and `direction` (unit, a tangent of the place's triangle) move along.
 double walk_straight(const SurfaceSheets& sheets, WalkPlace& place, glm::dvec3& direction, double length,

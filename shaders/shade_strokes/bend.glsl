@@ -6,25 +6,25 @@ vec3 tangent(vec3 a, vec3 b, vec3 c, float before, float after) {
     return ((b - a) * (after / before) + (c - b) * (before / after)) / (before + after);
 }
 
-// Bends the chain so that it is smooth, but within the surface: its normal part is left out, since the straight patch
-// is as near the surface as was asked for.
-vec3 bend(vec3 tangent_, float length_, vec3 chord, vec3 normal) {
+const vec2 MOST_BEND = vec2(0.25, 0.6); // keeps a curve from turning back, and strokes in their order across it
+
+// What a tangent asks of a curve's inner point, along the segment and across it. What is normal to the patch is left out:
+// the patch is as near the surface as was asked for.
+vec2 bend(vec3 tangent_, float length_, vec3 chord, vec3 across) {
     vec3 off = (tangent_ * length_ - chord) / 3.0;
-    off -= dot(off, normal) * normal;
-    float most = 0.25 * length(chord), size = length(off);
-    return size > most ? off * (most / size) : off;
+    float a = dot(chord, chord), b = dot(chord, across), c = dot(across, across);
+    float square = a * c - b * b;
+    if (!(square > 1e-6 * a * c)) return vec2(0.0);
+    vec2 to = vec2(dot(off, chord), dot(off, across));
+    return clamp(vec2(c * to.x - b * to.y, a * to.y - b * to.x) / square, -MOST_BEND, MOST_BEND);
 }
 
 void set_bends(Segment s, float span, float before, float after, inout Seen seen) {
     vec3 from = middle(s.from), to = middle(s.to), chord = to - from;
-    vec3 across = ribs.at[s.from * RIB_POINTS + 4u].xyz - ribs.at[s.from * RIB_POINTS].xyz +
-                  ribs.at[s.to * RIB_POINTS + 4u].xyz - ribs.at[s.to * RIB_POINTS].xyz;
-    vec3 normal = cross(chord, across);
-    float size = length(normal);
-    if (!(size > 0.0)) return;
-    normal /= size;
+    vec3 across = 0.25 * (ribs.at[s.from * RIB_POINTS + 4u].xyz - ribs.at[s.from * RIB_POINTS].xyz +
+                          ribs.at[s.to * RIB_POINTS + 4u].xyz - ribs.at[s.to * RIB_POINTS].xyz);
     if (s.before != s.from)
-        seen.bend_from.xyz = bend(tangent(middle(s.before), from, to, before, span), span, chord, normal);
+        seen.bend_from = bend(tangent(middle(s.before), from, to, before, span), span, chord, across);
     if (s.after != s.to)
-        seen.bend_to.xyz = -bend(tangent(from, to, middle(s.after), span, after), span, chord, normal);
+        seen.bend_to = -bend(tangent(from, to, middle(s.after), span, after), span, chord, across);
 }

@@ -21,8 +21,9 @@ struct Segment {
 
 // A segment as this view sees it (segments.comp).
 struct Seen {
-    vec4 bend_from; // xyz: how far its curve leaves the straight line, in the world: first inner point; w: log2 of the
-    vec4 bend_to;   // level of detail's value at its begin. The second one, and the value at its end
+    vec2 bend_from; // how far the first inner point of its curve leaves the straight line: along it, over its length;
+    vec2 bend_to;   // and across it, over the amplitude. The second inner point
+    float log_value[2];  // log2 of the level of detail's value at its begin and its end
     float half_width[2]; // of its strokes, pixels: begin, end
     float place[2];      // in the zigzag where it begins: counted on from its begin, and back from its end
     float span;          // of the zigzag
@@ -34,7 +35,6 @@ struct Seen {
     int level;   // log2 of the distance of points
     uint flags;
     uint batch;
-    uint unused;
 };
 const uint BENT = 1u;       // its strokes bend with the surface
 const uint FREE_BEGIN = 2u; // the chain begins, or ends, here

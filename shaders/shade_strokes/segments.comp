@@ -83,7 +83,7 @@ void set_places(Segment s, float span, inout Seen seen) {
     if (random[0] == random[1] && abs(seen.place[1] - seen.place[0]) < 0.01 + 1e-3 * seen.span)
         seen.place[1] = seen.place[0];
     float t;
-    seen.level = level_of(min(seen.bend_from.w, seen.bend_to.w), t);
+    seen.level = level_of(min(seen.log_value[0], seen.log_value[1]), t);
     int begin = point_before(seen.set[0], seen.place[0]);
     int end = point_before(seen.set[0], seen.place[0] + seen.span);
     while ((end >> seen.level) - (begin >> seen.level) >= MOST_STROKES) ++seen.level;
@@ -93,8 +93,8 @@ void set_places(Segment s, float span, inout Seen seen) {
 
 // False where nothing of it can be seen.
 bool look(Segment s, out Seen seen) {
-    seen = Seen(vec4(0.0), vec4(0.0), float[2](0.0, 0.0), float[2](0.0, 0.0), 0.0, 0.0, uint[2](0u, 0u),
-                uint[2](s.from, s.to), 0, 0, 0, 0u, 0u, 0u);
+    seen = Seen(vec2(0.0), vec2(0.0), float[2](0.0, 0.0), float[2](0.0, 0.0), float[2](0.0, 0.0), 0.0, 0.0,
+                uint[2](0u, 0u), uint[2](s.from, s.to), 0, 0, 0, 0u, 0u);
     if (s.cell == NONE || !(s.alpha > 0.0)) return false;
     seen.alpha = smoothstep(-0.1, 0.0, facing(s.from, s.to)) * s.alpha;
     if (!(seen.alpha > 0.0) || outside(s.from, s.to, MOST_WIDTH * line_width + 1.0)) return false;
@@ -105,8 +105,8 @@ bool look(Segment s, out Seen seen) {
     Lie begin, end;
     if (!lie_at(s.before, s.from, s.to, before + span, begin) || !lie_at(s.from, s.to, s.after, span + after, end))
         return false;
-    seen.bend_from.w = begin.log_value = log_value(begin);
-    seen.bend_to.w = end.log_value = log_value(end);
+    seen.log_value[0] = begin.log_value = log_value(begin);
+    seen.log_value[1] = end.log_value = log_value(end);
     float shade = delivered.shade[s.cell];
     seen.half_width = float[2](half_width(begin, shade), half_width(end, shade));
     if (solid) {

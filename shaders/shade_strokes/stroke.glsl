@@ -23,6 +23,9 @@ Stroke stroke_of(const Seen seen, int number) {
     stroke.cut = bvec2(first && !stroke.taper.x, last && !stroke.taper.y);
     stroke.side.x = seen_side(seen, stroke.v.x, first ? point_before(set, ends.x) : from);
     stroke.side.y = seen_side(seen, stroke.v.y, last ? point_before(set, ends.y) : to);
+    vec2 begin = on_curve(seen, vec2(stroke.v.x, stroke.side.x)), end = on_curve(seen, vec2(stroke.v.y, stroke.side.y));
+    stroke.v = vec2(begin.x, end.x);
+    stroke.side = vec2(begin.y, end.y);
     return stroke;
 }
 

@@ -1,12 +1,12 @@
 #include <hachure/systems/shade_strokes/chain_direction.h>
 #include <hachure/systems/shade_strokes/chain_walk.h>
 #include <hachure/systems/shade_strokes/shade_random.h>
-#include <hachure/systems/shade_strokes/shade_ribs.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hachure {
 namespace {
@@ -16,15 +16,16 @@ using geometry::WalkStep;
 using geometry::WalkTriangle;
 
 constexpr std::uint32_t most_steps = 4096, most_idle = 16;
-constexpr double least_piece = 0.15;   // of a cell's side: a shorter one counts for the cell that comes next
-constexpr double least_length = 0.01;  // of a cell's side: there is no shorter segment
-constexpr double idle_length = 1e-6;   // over the model's size: a step that gets nowhere
-constexpr double least_kink = 0.5;     // cosine: a chain does not go on around sharper corners
-constexpr double join_bend = 0.05;     // how far aside of the walk an end may lie, over the length of the last segment
-constexpr double join_cosine = 0.9;    // 25 degrees
-constexpr double least_pressure = 0.6; // of the pen, at alpha 1
-constexpr int most_divisions = 5;
-constexpr double looked_at = 0.75; // of what patches may be off, at one place: at others they are a little more
+constexpr double least_piece = 0.15;    // of a cell's side: a shorter one counts for the cell that comes next
+constexpr double least_length = 0.01;   // of a cell's side: there is no shorter piece
+constexpr double least_divided = 0.004; // of a cell's side: where a segment leaves the surface nevertheless
+constexpr double idle_length = 1e-6;    // over the model's size: a step that gets nowhere
+constexpr double least_kink = 0.5;      // cosine: a chain does not go on around sharper corners
+constexpr double join_bend = 0.05;      // how far aside of the walk an end may lie, over the length of the last segment
+constexpr double join_cosine = 0.9;     // 25 degrees
+constexpr double least_pressure = 0.6;  // of the pen, at alpha 1
+constexpr int most_divisions = 8;
+constexpr double looked_at = 0.6; // of what patches may be off, at one place: at others they are a little more
 constexpr glm::dvec3 downwards{0.31, -0.92, 0.24}; // strokes are begun that way, so that those that meet agree
 
 } // namespace
@@ -43,7 +44,7 @@ bool ChainWalk::begin(const WalkPlace& place, std::uint64_t random) {
     const double pressure = least_pressure + (1.0 - least_pressure) * shade_uniform(random, ShadePurpose::pressure, 0);
     const std::uint32_t chain =
         editor_.begin_chain(random, glm::vec3(heading), glm::vec3(triangle.normal), static_cast<float>(pressure));
-    ShadeNode first = make_shade_node(mesh_, settings_, place, heading, 0.0);
+    ShadeNode first = make_shade_rib(mesh_, settings_, place, heading, 0.0).node;
     first.random = static_cast<std::uint32_t>(random >> 32);
     const std::uint32_t start = chains_.nodes.take(first);
     bool any = walk(chain, ChainSide::end, place, heading, start);
@@ -84,7 +85,10 @@ bool ChainWalk::walk(std::uint32_t chain, ChainSide side, const WalkPlace& place
     std::uint32_t idle = 0;
     for (std::uint32_t i = 0; i < most_steps && idle < most_idle; ++i) {
         const WalkTriangle triangle(mesh_.sheets, place_.triangle);
-        if (!aim(triangle)) break;
+        if (!aim(triangle)) {
+            step_back();
+            break;
+        }
         const WalkStep step =
             geometry::walk_step(triangle, place_.weight, heading_, mesh_.size, mesh_.cells.parts[place_.triangle]);
         ++steps;
@@ -137,10 +141,18 @@ bool ChainWalk::advance(const WalkStep& step) {
     place_.weight = step.weight;
     entered_ = WalkStep::inside;
     if (step.edge == WalkStep::inside) return true;
+    left_ = {place_, heading_, length_};
     std::uint32_t edge = step.edge;
     if (!geometry::cross_edge(mesh_.sheets, place_, edge, heading_)) return false;
     entered_ = edge;
     return true;
+}
+
+/// Over the edge again that the walk has just crossed: where it ends there, its last rib lies on the side it came from.
+void ChainWalk::step_back() {
+    if (entered_ == WalkStep::inside) return;
+    place_ = left_.place;
+    heading_ = left_.direction;
 }
 
 /// Ends the piece that is under way at the open end of a chain in a cell, when there is one, and joins both chains.
@@ -166,18 +178,18 @@ ChainWalk::Passed ChainWalk::on_way(double length) const {
     return result;
 }
 
-ShadeNode ChainWalk::node_at(const Passed& passed) const {
+ShadeRib ChainWalk::rib_at(const Passed& passed) const {
     const ShadeNode& tip = chains_.nodes[tip_];
     const double along = tip.along + sign_ * passed.length;
-    ShadeNode node = make_shade_node(mesh_, settings_, passed.place, sign_ * passed.direction, along);
-    node.random = tip.random;
-    return node;
+    ShadeRib rib = make_shade_rib(mesh_, settings_, passed.place, sign_ * passed.direction, along);
+    rib.node.random = tip.random;
+    return rib;
 }
 
 void ChainWalk::finish_piece(std::uint32_t next) {
     if (next == no_slot && length_ < least_length * mesh_.cell_side) return;
     fresh_.clear();
-    const std::uint32_t tip = next != no_slot ? next : chains_.nodes.take(node_at(passed_.back()));
+    const std::uint32_t tip = next != no_slot ? next : chains_.nodes.take(rib_at(passed_.back()).node);
     lay(tip_, 0.0, tip, length_, 0);
     shade_piece();
     tip_ = tip;
@@ -185,26 +197,16 @@ void ChainWalk::finish_piece(std::uint32_t next) {
     passed_.clear();
 }
 
-/// How far the patch between two nodes is off the surface, across it, at a node `part` of the way between them.
-double ChainWalk::off_surface(const ShadeNode& between, double part, const ShadeNode& from, const ShadeNode& to) const {
-    double off = 0.0;
-    for (std::size_t k = 0; k < rib_points; ++k) {
-        const WalkTriangle triangle(mesh_.sheets, mesh_.sheets.triangle_of[between.rib[k].triangle]);
-        const glm::dvec3 patch = glm::mix(mesh_.at(from.rib[k]), mesh_.at(to.rib[k]), part);
-        off = std::max(off, std::abs(glm::dot(mesh_.at(between.rib[k]) - patch, triangle.normal)));
-    }
-    return off;
-}
-
-/// Where between two lengths the way lies farthest off the straight line between them: where it crosses an edge, or in
-/// the middle where it crosses none, or is straight.
-double ChainWalk::most_bent(double begin, double end) const {
+/// Where between two lengths the way crosses the edge that lies farthest off the straight line between them; nothing
+/// where it crosses none, or is straight.
+std::optional<double> ChainWalk::most_bent(double begin, double end) const {
     const auto at = [&](const Passed& passed) {
         return WalkTriangle(mesh_.sheets, passed.place.triangle).at(passed.place.weight);
     };
     const glm::dvec3 from = at(on_way(begin)), way = at(on_way(end)) - from;
     const double square = std::max(glm::dot(way, way), 1e-300), margin = 2.0 * least_length * mesh_.cell_side;
-    double most = idle_length * mesh_.size, result = 0.5 * (begin + end);
+    double most = idle_length * mesh_.size;
+    std::optional<double> result;
     for (const Passed& passed : passed_) {
         if (!(passed.length > begin + margin && passed.length < end - margin)) continue;
         const glm::dvec3 off = at(passed) - from;
@@ -216,17 +218,36 @@ double ChainWalk::most_bent(double begin, double end) const {
     return result;
 }
 
-/// Lays a segment between two nodes, or two where the patch between their ribs would leave the surface.
+/// Where the patch between two nodes leaves the surface, of the places that are looked at; nothing where it stays near
+/// enough.
+std::optional<ChainWalk::Division> ChainWalk::division(std::uint32_t from, double begin, std::uint32_t to,
+                                                       double end) const {
+    const double most = looked_at * settings_.rib_deviation * mesh_.size;
+    double off = 0.0;
+    const auto part_at = [&](double length) {
+        const ShadeRib rib = rib_at(on_way(length));
+        const double part = (length - begin) / (end - begin);
+        off = patch_deviation(mesh_, chains_.nodes[from], chains_.nodes[to], rib, part);
+        return Division{length, rib.node};
+    };
+    // Where the chain crosses an edge comes first: past it, what is left is divided more evenly.
+    if (const std::optional<double> edge = most_bent(begin, end))
+        if (const Division part = part_at(*edge); off > most) return part;
+    if (const Division part = part_at(std::lerp(begin, end, 0.5)); off > most) return part;
+    // A patch that leaves the surface by `most` at one place shows it in its middle, if less.
+    if (off < 0.25 * most) return std::nullopt;
+    for (const double share : {0.25, 0.75, 0.375, 0.625})
+        if (const Division part = part_at(std::lerp(begin, end, share)); off > most) return part;
+    return std::nullopt;
+}
+
+/// Lays a segment between two nodes, or several where the patch between their ribs would leave the surface.
 void ChainWalk::lay(std::uint32_t from, double begin, std::uint32_t to, double end, int depth) {
-    if (depth < most_divisions && end - begin > 4.0 * least_length * mesh_.cell_side) {
-        const double middle = most_bent(begin, end);
-        const ShadeNode node = node_at(on_way(middle));
-        const double part = (middle - begin) / (end - begin);
-        const double most = looked_at * settings_.rib_deviation * mesh_.size;
-        if (off_surface(node, part, chains_.nodes[from], chains_.nodes[to]) > most) {
-            const std::uint32_t between = chains_.nodes.take(node);
-            lay(from, begin, between, middle, depth + 1);
-            lay(between, middle, to, end, depth + 1);
+    if (depth < most_divisions && end - begin > least_divided * mesh_.cell_side) {
+        if (const std::optional<Division> part = division(from, begin, to, end)) {
+            const std::uint32_t between = chains_.nodes.take(part->node);
+            lay(from, begin, between, part->length, depth + 1);
+            lay(between, part->length, to, end, depth + 1);
             return;
         }
     }

@@ -3,9 +3,11 @@
 #include <hachure/runtime/geometry/surface_walk.h>
 #include <hachure/systems/shade_strokes/chain_editor.h>
 #include <hachure/systems/shade_strokes/shade_mesh.h>
+#include <hachure/systems/shade_strokes/shade_ribs.h>
 #include <hachure/systems/shade_strokes/shade_settings.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,19 +41,26 @@ private:
         double length;        ///< from the last node to here
     };
 
+    /// Where a piece is divided.
+    struct Division {
+        double length; ///< from the last node
+        ShadeNode node;
+    };
+
     bool walk(std::uint32_t chain, ChainSide side, const geometry::WalkPlace& place, const glm::dvec3& heading,
               std::uint32_t tip);
     bool aim(const geometry::WalkTriangle& triangle);
     bool enter(std::uint32_t cell);
     bool advance(const geometry::WalkStep& step);
+    void step_back();
     bool join_in(std::uint32_t cell);
     [[nodiscard]] Passed on_way(double length) const;
-    [[nodiscard]] ShadeNode node_at(const Passed& passed) const;
+    [[nodiscard]] ShadeRib rib_at(const Passed& passed) const;
     /// Ends the piece that is under way at node `next`, or when that is `no_slot` at a new one.
     void finish_piece(std::uint32_t next);
-    [[nodiscard]] double off_surface(const ShadeNode& between, double part, const ShadeNode& from,
-                                     const ShadeNode& to) const;
-    [[nodiscard]] double most_bent(double begin, double end) const;
+    [[nodiscard]] std::optional<double> most_bent(double begin, double end) const;
+    [[nodiscard]] std::optional<Division> division(std::uint32_t from, double begin, std::uint32_t to,
+                                                   double end) const;
     void lay(std::uint32_t from, double begin, std::uint32_t to, double end, int depth);
     void shade_piece();
     [[nodiscard]] std::uint32_t meeting(std::uint32_t cell) const;
@@ -70,6 +79,7 @@ private:
     geometry::WalkPlace place_{};
     glm::dvec3 heading_{0.0};
     std::uint32_t entered_ = geometry::WalkStep::inside; ///< the edge that was come over to here
+    Passed left_{};                                      ///< that edge, on the side before it
     double start_ = 0.0;                                 ///< where the walk began along the chain
     double length_ = 0.0, walked_ = 0.0;                 ///< since the last node, and since the walk began
     std::vector<Passed> passed_;                         ///< since the last node

@@ -1,3 +1,4 @@
+#include <hachure/systems/shade_strokes/half_rib.h>
 #include <hachure/systems/shade_strokes/shade_ribs.h>
 
 #include <glm/geometric.hpp>
@@ -6,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 namespace hachure {
 namespace {
@@ -15,99 +15,26 @@ using geometry::WalkPlace;
 using geometry::WalkTriangle;
 
 constexpr double usual_radius = 0.25; // of curvature, over the model's size: there the amplitude is the set one
-constexpr double facing = 0.0;        // ribs end where the surface turns by 90 degrees
-constexpr double least_bend = 2e-5;   // over the model's size: less is straight
-constexpr double bend_margin = 0.02;  // of a half: there is no bend nearer to its ends
 
-/// One half of a rib.
-struct HalfRib {
-    SurfacePoint bend, outer;
-    double bend_part; ///< of the way to the outer one, in (0, 1)
-    double length;
-};
+std::array<double, rib_points> sides(const ShadeNode& node) { return {-1.0, node.bend[0], 0.0, node.bend[1], 1.0}; }
 
-/// A place on the way across a chain.
-struct Crossed {
-    WalkPlace place;
-    double length;
-};
+/// The patch between two nodes, `part` of the way: what patch.glsl draws on.
+struct PatchLine {
+    std::array<double, rib_points> side;
+    std::array<glm::dvec3, rib_points> point;
 
-/// Walks straight across a chain from edge to edge and keeps where it crosses them.
-class RibWalk {
-public:
-    RibWalk(const ShadeMesh& mesh, const WalkPlace& from, const glm::dvec3& across, const glm::dvec3& normal)
-        : mesh_(mesh), from_(from), across_(across), normal_(normal), place_(from), direction_(across) {}
-
-    HalfRib walk(double length) {
-        while (length_ < length && count_ < crossed_.size() && step(length)) {
+    PatchLine(const ShadeMesh& mesh, const ShadeNode& from, const ShadeNode& to, double part) {
+        for (std::size_t k = 0; k < rib_points; ++k) {
+            side[k] = std::lerp(sides(from)[k], sides(to)[k], part);
+            point[k] = glm::mix(mesh.at(from.rib[k]), mesh.at(to.rib[k]), part);
         }
-        if (length_ < length && count_ == crossed_.size()) // many small triangles: no single edge matters
-            length_ += walk_straight(place_, direction_, length - length_);
-        const std::size_t bend = farthest_off();
-        HalfRib half{{}, mesh_.point(place_.triangle, place_.weight), 0.5, length_};
-        if (bend < count_) {
-            half.bend = mesh_.point(crossed_[bend].place.triangle, crossed_[bend].place.weight);
-            half.bend_part = crossed_[bend].length / length_;
-        } else {
-            WalkPlace halfway = from_;
-            glm::dvec3 direction = across_;
-            walk_straight(halfway, direction, 0.5 * length_);
-            half.bend = mesh_.point(halfway.triangle, halfway.weight);
-        }
-        return half;
     }
 
-private:
-    double walk_straight(WalkPlace& place, glm::dvec3& direction, double length) const {
-        return geometry::walk_straight(mesh_.sheets, place, direction, length, normal_, facing);
+    [[nodiscard]] glm::dvec3 at(double s) const {
+        std::size_t k = s < 0.0 ? 0 : 2;
+        if (s > side[k + 1]) ++k;
+        return glm::mix(point[k], point[k + 1], std::clamp((s - side[k]) / (side[k + 1] - side[k]), 0.0, 1.0));
     }
-
-    /// To the next edge and over it; false where the rib ends.
-    bool step(double most) {
-        const WalkTriangle triangle(mesh_.sheets, place_.triangle);
-        if (triangle.flat || glm::dot(triangle.normal, normal_) < facing) return false;
-        const geometry::WalkStep step = geometry::walk_step(triangle, place_.weight, direction_, most - length_);
-        place_.weight = step.weight;
-        if (step.edge == geometry::WalkStep::inside) {
-            length_ = most;
-            return false;
-        }
-        length_ += step.length;
-        std::uint32_t edge = step.edge;
-        if (!geometry::cross_edge(mesh_.sheets, place_, edge, direction_)) return false;
-        crossed_[count_++] = {place_, length_};
-        return true;
-    }
-
-    /// The edge that lies farthest off the straight line from begin to end, or `count_` where none does.
-    [[nodiscard]] std::size_t farthest_off() const {
-        const glm::dvec3 begin = mesh_.at(mesh_.point(from_.triangle, from_.weight));
-        const glm::dvec3 way = mesh_.at(mesh_.point(place_.triangle, place_.weight)) - begin;
-        const double square = glm::dot(way, way);
-        double most = least_bend * least_bend * mesh_.size * mesh_.size;
-        std::size_t result = count_;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const double part = crossed_[i].length / length_;
-            if (!(part > bend_margin && part < 1.0 - bend_margin)) continue;
-            const WalkPlace& place = crossed_[i].place;
-            const glm::dvec3 off = mesh_.at(mesh_.point(place.triangle, place.weight)) - begin;
-            const double along = square > 0.0 ? glm::dot(off, way) / square : 0.0;
-            const glm::dvec3 aside = off - along * way;
-            if (glm::dot(aside, aside) <= most) continue;
-            most = glm::dot(aside, aside);
-            result = i;
-        }
-        return result;
-    }
-
-    const ShadeMesh& mesh_;
-    const WalkPlace from_;
-    const glm::dvec3 across_, normal_;
-    WalkPlace place_;
-    glm::dvec3 direction_;
-    double length_ = 0.0;
-    std::array<Crossed, 32> crossed_{};
-    std::size_t count_ = 0;
 };
 
 } // namespace
@@ -124,24 +51,44 @@ float shade_amplitude(const ShadeMesh& mesh, const ShadeSettings& settings, cons
     return static_cast<float>(std::clamp(wanted, least, most) * size);
 }
 
-ShadeNode make_shade_node(const ShadeMesh& mesh, const ShadeSettings& settings, const WalkPlace& place,
-                          const glm::dvec3& heading, double along) {
+ShadeRib make_shade_rib(const ShadeMesh& mesh, const ShadeSettings& settings, const WalkPlace& place,
+                        const glm::dvec3& heading, double along) {
     const WalkTriangle triangle(mesh.sheets, place.triangle);
-    const double wanted = shade_amplitude(mesh, settings, place);
+    const HalfRibWish wish{shade_amplitude(mesh, settings, place), double{settings.rib_deviation} * mesh.size};
     const glm::dvec3 left = triangle.tangent(glm::cross(triangle.normal, heading));
+    const HalfRib right_half = walk_half_rib(mesh, place, -left, wish);
+    const HalfRib left_half = walk_half_rib(mesh, place, left, wish);
     ShadeNode node{};
-    node.rib[2] = mesh.point(place.triangle, place.weight);
-    const HalfRib right_half = RibWalk(mesh, place, -left, triangle.normal).walk(wanted);
-    const HalfRib left_half = RibWalk(mesh, place, left, triangle.normal).walk(wanted);
     node.rib[0] = right_half.outer;
     node.rib[1] = right_half.bend;
+    node.rib[2] = mesh.point(place.triangle, place.weight);
     node.rib[3] = left_half.bend;
     node.rib[4] = left_half.outer;
     node.bend[0] = static_cast<float>(-right_half.bend_part);
     node.bend[1] = static_cast<float>(left_half.bend_part);
     node.amplitude = static_cast<float>(0.5 * (left_half.length + right_half.length));
     node.along = static_cast<float>(along);
-    return node;
+    return {node, {right_half.ends, left_half.ends}};
+}
+
+double patch_deviation(const ShadeMesh& mesh, const ShadeNode& from, const ShadeNode& to, const ShadeRib& between,
+                       double part) {
+    const PatchLine patch(mesh, from, to, part);
+    const ShadeNode& node = between.node;
+    double most = 0.0;
+    for (std::size_t k = 0; k < rib_points; ++k) {
+        const glm::dvec3 off = patch.at(sides(node)[k]) - mesh.at(node.rib[k]);
+        const WalkTriangle triangle(mesh.sheets, mesh.sheets.triangle_of[node.rib[k].triangle]);
+        most = std::max(most, std::abs(glm::dot(off, triangle.normal)));
+    }
+    for (const std::size_t half : {0, 1}) {
+        if (!between.ends[half]) continue;
+        const std::size_t outer = half == 0 ? 0 : rib_points - 1;
+        const glm::dvec3 end = mesh.at(node.rib[outer]), out = end - mesh.at(node.rib[half == 0 ? 1 : 3]);
+        const double size = glm::length(out);
+        if (size > 0.0) most = std::max(most, glm::dot(patch.point[outer] - end, out) / size);
+    }
+    return most;
 }
 
 } // namespace hachure

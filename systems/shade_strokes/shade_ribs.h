@@ -14,9 +14,20 @@ namespace hachure {
 [[nodiscard]] float shade_amplitude(const ShadeMesh& mesh, const ShadeSettings& settings,
                                     const geometry::WalkPlace& place);
 
+/// A node of a chain, and what is known of its rib where it is laid.
+struct ShadeRib {
+    ShadeNode node;
+    bool ends[2]; ///< whether the sheet ends, or turns away, at the end of the right and of the left half
+};
+
 /// The node of a chain that runs along `heading` (a unit tangent of the place's triangle): points of the surface to its
-/// right and left, found by walking straight across, up to borders and to where the surface turns by 90 degrees.
-[[nodiscard]] ShadeNode make_shade_node(const ShadeMesh& mesh, const ShadeSettings& settings,
-                                        const geometry::WalkPlace& place, const glm::dvec3& heading, double along);
+/// right and left, found by walking straight across, as far as two straight pieces follow the surface.
+[[nodiscard]] ShadeRib make_shade_rib(const ShadeMesh& mesh, const ShadeSettings& settings,
+                                      const geometry::WalkPlace& place, const glm::dvec3& heading, double along);
+
+/// How far the patch between two nodes is off the surface along a rib that lies `part` of the way between them, in the
+/// mesh's units: across the surface at the rib's points, and beyond its ends where the sheet has one.
+[[nodiscard]] double patch_deviation(const ShadeMesh& mesh, const ShadeNode& from, const ShadeNode& to,
+                                     const ShadeRib& between, double part);
 
 } // namespace hachure

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -94,32 +95,36 @@ private:
         return std::clamp(std::log2(wanted / (2.0 * apart)), -0.999, 6.0);
     }
 
-    [[nodiscard]] glm::dvec3 rib(std::uint32_t n, double side) const {
-        const double sides[5] = {-1.0, node(n).bend[0], 0.0, node(n).bend[1], 1.0};
-        std::size_t k = 0;
-        while (k < 3 && side > sides[k + 1]) ++k;
-        return glm::mix(rig_.at(n, k), rig_.at(n, k + 1), (side - sides[k]) / (sides[k + 1] - sides[k]));
+    [[nodiscard]] std::array<double, 5> sides(std::uint32_t n) const {
+        return {-1.0, node(n).bend[0], 0.0, node(n).bend[1], 1.0};
     }
 
-    /// Hermite's cubic for the chain's middle, of which what is normal to the patch is left out.
+    /// On straight lines between the two ribs' points.
+    [[nodiscard]] glm::dvec3 straight(const ShadeSegment& segment, double side, double v) const {
+        const auto line = [&](std::size_t k) { return std::lerp(sides(segment.from)[k], sides(segment.to)[k], v); };
+        const auto at = [&](std::size_t k) { return glm::mix(rig_.at(segment.from, k), rig_.at(segment.to, k), v); };
+        std::size_t k = 0;
+        while (k < 3 && side > line(k + 1)) ++k;
+        return glm::mix(at(k), at(k + 1), (side - line(k)) / (line(k + 1) - line(k)));
+    }
+
+    /// Hermite's cubic for the chain's middle, within the patch: what is normal to it is left out.
     [[nodiscard]] glm::dvec3 patch(const ShadeSegment& segment, double side, double v) const {
-        const glm::dvec3 a = rig_.at(segment.from), b = rig_.at(segment.to);
+        const glm::dvec3 chord = rig_.at(segment.to) - rig_.at(segment.from);
+        const glm::dvec3 across = 0.25 * (rig_.at(segment.from, 4) - rig_.at(segment.from, 0) + rig_.at(segment.to, 4) -
+                                          rig_.at(segment.to, 0));
         const double length = double{node(segment.to).along} - node(segment.from).along;
-        const glm::dvec3 at_begin = tangent(segment.before, segment.from, segment.to);
-        const glm::dvec3 at_end = tangent(segment.from, segment.to, segment.after);
         const auto off = [&](const glm::dvec3& slope) {
-            const glm::dvec3 normal =
-                glm::normalize(glm::cross(b - a, rig_.at(segment.from, 4) - rig_.at(segment.from, 0) +
-                                                     rig_.at(segment.to, 4) - rig_.at(segment.to, 0)));
-            glm::dvec3 result = slope * length - (b - a);
-            result -= glm::dot(result, normal) * normal;
-            const double most = 0.75 * glm::length(b - a), size = glm::length(result);
-            return size > most ? result * (most / size) : result;
+            const glm::dvec3 normal = glm::cross(chord, across);
+            const glm::dvec3 by = glm::inverse(glm::dmat3(chord, across, normal)) * (slope * length - chord);
+            return glm::clamp(glm::dvec2(by), glm::dvec2(-0.75, -1.8), glm::dvec2(0.75, 1.8));
         };
-        glm::dvec3 bend(0.0);
-        if (segment.before != segment.from) bend += v * (1.0 - v) * (1.0 - v) * off(at_begin);
-        if (segment.after != segment.to) bend -= v * v * (1.0 - v) * off(at_end);
-        return glm::mix(rib(segment.from, side), rib(segment.to, side), v) + bend;
+        glm::dvec2 bend(0.0);
+        if (segment.before != segment.from)
+            bend += v * (1.0 - v) * (1.0 - v) * off(tangent(segment.before, segment.from, segment.to));
+        if (segment.after != segment.to)
+            bend -= v * v * (1.0 - v) * off(tangent(segment.from, segment.to, segment.after));
+        return straight(segment, side + bend.y * (1.0 - side * side), v + bend.x);
     }
 
     /// Of the parabola through three nodes.
