@@ -135,6 +135,10 @@ def rotate(q, v):
     return [x, y, z]
 
 
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
 def shapes():
     """A sphere, a cube and a torus on a floor, with a camera and a sun; clips spin, orbit and sun, two seconds each."""
     glb = Glb()
@@ -205,5 +209,112 @@ def arm():
     glb.write("arm.glb")
 
 
+# Of the walker: joint, the one above, where it is at rest in a figure of height 1 with its feet at 0. Left is +x.
+SKELETON = [("hips", None, (0, 0.53, 0)), ("chest", "hips", (0, 0.64, 0))]
+for side, sign in (("left", 1), ("right", -1)):
+    SKELETON += [(side + " arm", "chest", (0.115 * sign, 0.79, 0)),
+                 (side + " forearm", side + " arm", (0.14 * sign, 0.63, 0)),
+                 (side + " thigh", "hips", (0.06 * sign, 0.51, 0)),
+                 (side + " shin", side + " thigh", (0.065 * sign, 0.28, 0))]
+JOINTS = [joint for joint, _, _ in SKELETON]
+
+
+def limb(start, end, start_radius, end_radius):
+    """A limb with round ends about a straight axis: grid(), and the way along the axis, 0 to 1, of each vertex."""
+    axis = [b - a for a, b in zip(start, end)]
+    length = math.dist(start, end)
+    flat = [0, 0, 1] if abs(axis[2]) < 0.9 * length else [0, 1, 0]
+    side = cross(axis, flat)
+    side = [x / math.hypot(*side) for x in side]
+    front = [x / length for x in cross(side, axis)]
+
+    def along(v):
+        return 0.5 - 0.5 * math.cos(math.pi * v)  # rows lie closer where ends are round
+
+    def point(u, v):
+        a, t = 2 * math.pi * u, along(v)
+        radius = (start_radius + (end_radius - start_radius) * t) * math.sqrt(max(0, 1 - (2 * t - 1) ** 6))
+        return [s + t * x + radius * (math.cos(a) * i + math.sin(a) * k)
+                for s, x, i, k in zip(start, axis, side, front)]
+
+    def normal(u, v):
+        if v in (0, 1):
+            return [(2 * v - 1) * x / length for x in axis]
+        h = 1e-4
+        du = [b - a for a, b in zip(point(u - h, v), point(u + h, v))]
+        dv = [b - a for a, b in zip(point(u, v - h), point(u, v + h))]
+        n = cross(dv, du)
+        return [x / math.hypot(*n) for x in n]
+    positions, normals, indices = grid(14, 14, point, normal)
+    ways = [sum((p - s) * x for p, s, x in zip(position, start, axis)) / length ** 2 for position in positions]
+    return positions, normals, indices, ways
+
+
+def swing(joint, phase):
+    """The angle of a joint about x in a walk of two steps, as samples/common/lay_figure.cpp has it; forward is < 0."""
+    if joint.startswith("right"):
+        phase += math.pi
+    forward = math.sin(phase)
+    return {"thigh": -0.45 * forward - 0.1, "shin": 0.12 + 0.85 * max(0, math.cos(phase - 0.3)) ** 2,
+            "arm": 0.5 * forward, "forearm": -0.45 + 0.2 * forward, "chest": 0.08, "hips": 0}[joint.split()[-1]]
+
+
+def walker():
+    """A figure of height 1 that looks along z, of limbs skinned to ten joints; a camera, a sun; clip walk, one second of
+    two steps on the spot, in which the sun turns by an eighth."""
+    glb = Glb()
+    positions, normals, indices, joints, weights = [], [], [], [], []
+
+    def add(first, second, bend, *shape):
+        p, n, i, ways = limb(*shape)
+        indices.extend(len(positions) + k for k in i)
+        positions.extend(p)
+        normals.extend(n)
+        for t in ways:
+            x = min(1.0, max(0.0, (t - bend + 0.12) / 0.24))
+            other = x * x * (3 - 2 * x)
+            joints.append((JOINTS.index(first), JOINTS.index(second), 0, 0))
+            weights.append((1 - other, other, 0.0, 0.0))
+    add("hips", "chest", 0.45, (0, 0.46, 0), (0, 0.84, 0), 0.085, 0.095)
+    add("chest", "chest", 0.5, (0, 0.83, 0.01), (0, 1, 0.01), 0.062, 0.065)
+    for side, sign in (("left", 1), ("right", -1)):
+        add(side + " arm", side + " forearm", 0.5, (0.11 * sign, 0.83, 0), (0.165 * sign, 0.43, 0.01), 0.042, 0.028)
+        add(side + " thigh", side + " shin", 0.52, (0.055 * sign, 0.58, 0), (0.07 * sign, 0.02, 0), 0.072, 0.034)
+        add(side + " shin", side + " shin", 0.5, (0.07 * sign, 0.032, -0.045), (0.075 * sign, 0.028, 0.115), 0.03, 0.03)
+    skinned = {"JOINTS_0": glb.accessor(joints, "VEC4", "B"), "WEIGHTS_0": glb.accessor(weights, "VEC4")}
+    mesh = glb.mesh("walker", positions, normals, indices, glb.material("wood", [0.75, 0.68, 0.58]), attributes=skinned)
+    glb.node(name="walker", mesh=mesh, skin=0)
+
+    places = {joint: at for joint, _, at in SKELETON}
+    first = len(glb.json["nodes"])
+    for joint, above, at in SKELETON:
+        children = [first + i for i, (_, other, _) in enumerate(SKELETON) if other == joint]
+        glb.json["nodes"].append({"name": joint, **({"children": children} if children else {}),
+                                  "translation": [a - b for a, b in zip(at, places.get(above, (0, 0, 0)))]})
+    glb.json["scenes"][0]["nodes"].append(first)
+    moved = [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] + [-x for x in at] + [1] for _, _, at in SKELETON]
+    glb.json["skins"] = [{"joints": [first + i for i in range(len(SKELETON))],
+                          "inverseBindMatrices": glb.accessor(moved, "MAT4")}]
+
+    glb.json["cameras"] = [{"type": "perspective", "perspective": {"yfov": 0.6, "znear": 0.1, "zfar": 100}}]
+    view = multiply(turn((0, 1, 0), 0.8), turn((1, 0, 0), -0.15))
+    glb.node(name="camera", camera=0, rotation=view,
+             translation=[a + b for a, b in zip((0, 0.5, 0), rotate(view, (0, 0, 1.9)))])
+    glb.json["extensionsUsed"] = ["KHR_lights_punctual"]
+    glb.json["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "directional", "name": "sun", "intensity": 3}]}}
+    sun = glb.node(name="sun", rotation=turn((1, 0, 0), -0.7), extensions={"KHR_lights_punctual": {"light": 0}})
+
+    steps = [i / 24 for i in range(25)]
+    channels = [(first + i, "rotation", steps, [turn((1, 0, 0), swing(joint, 2 * math.pi * t)) for t in steps])
+                for i, joint in enumerate(JOINTS) if joint != "hips"]
+    # Hips are lowest when the legs are farthest apart, twice a loop.
+    channels.append((first, "translation", steps, [(0, 0.512 + 0.01 * math.cos(4 * math.pi * t), 0) for t in steps]))
+    channels.append((sun, "rotation", steps,
+                     [multiply(turn((0, 1, 0), -math.pi / 4 * t), turn((1, 0, 0), -0.7)) for t in steps]))
+    glb.clip("walk", channels)
+    glb.write("walker.glb")
+
+
 shapes()
 arm()
+walker()

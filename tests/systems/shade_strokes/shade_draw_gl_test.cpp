@@ -165,20 +165,6 @@ TEST_P(ShadeDrawTest, InkStaysOverDistance) {
     EXPECT_LT(most, 1.2 * least); // within 10 % of their middle
 }
 
-/// And whatever the number of triangles.
-TEST_P(ShadeDrawTest, InkStaysOverSubdivision) {
-    double least = 1.0, most = 0.0;
-    for (const std::uint32_t level : {3u, 4u, 6u}) { // 1280 to 81920 triangles
-        ShadeRig rig(geometry::icosphere(1.0, level), 3000);
-        rig.step({shade_sun({0.2f, 1.0f, 0.1f})});
-        ShadePicture picture(rig);
-        const double ink = mean(picture.draw(view_from(from_front, 3.6f, 500)));
-        least = std::min(least, ink);
-        most = std::max(most, ink);
-    }
-    EXPECT_LT(most, 1.1 * least);
-}
-
 /// Every segment of a plane that is seen straight on changes its level at the same distance. What changes over a step
 /// of the way is the sum of what changes over its parts: a jump would be found in one of them.
 TEST_P(ShadeDrawTest, NothingPopsWhenTheLevelChanges) {

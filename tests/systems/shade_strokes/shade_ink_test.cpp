@@ -1,34 +1,11 @@
+#include <hachure/tests/support/divided_mesh.h>
+
 #include <gtest/gtest.h>
-#include <meshoptimizer.h>
 
 #include "chain_checks.h"
 
 namespace hachure::test {
 namespace {
-
-/// Every triangle cut into four, `times` times over, where it lies: the same surface.
-geometry::Shape subdivided(geometry::Shape shape, int times) {
-    for (int n = 0; n < times; ++n) {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-        const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-            const auto [found, is_new] =
-                middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(shape.positions.size()));
-            if (is_new) {
-                shape.positions.push_back(0.5f * (shape.positions[a] + shape.positions[b]));
-                shape.normals.push_back(glm::normalize(shape.normals[a] + shape.normals[b]));
-            }
-            return found->second;
-        };
-        std::vector<std::uint32_t> indices;
-        for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
-            const std::uint32_t a = shape.indices[i], b = shape.indices[i + 1], c = shape.indices[i + 2];
-            const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            indices.insert(indices.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
-        }
-        shape.indices = std::move(indices);
-    }
-    return shape;
-}
 
 double shade_of(const ShadeRig& rig) {
     double sum = 0.0, area = 0.0;
@@ -75,13 +52,8 @@ TEST(ShadeInkTest, DecimationChangesLittleInk) {
     const geometry::Shape bunny = shape_of_file(bunny_file);
     std::vector<double> inks;
     for (const std::size_t triangles : {70000u, 17000u, 5000u}) {
-        geometry::Shape shape = bunny;
-        if (3 * triangles < shape.indices.size()) {
-            shape.indices.resize(meshopt_simplify(shape.indices.data(), bunny.indices.data(), bunny.indices.size(),
-                                                  &bunny.positions[0].x, bunny.positions.size(), sizeof(glm::vec3),
-                                                  3 * triangles, 0.1f));
-            EXPECT_NEAR(double(shape.indices.size() / 3), double(triangles), 0.05 * double(triangles));
-        }
+        geometry::Shape shape = decimated(bunny, triangles);
+        EXPECT_NEAR(double(shape.indices.size() / 3), double(triangles), 0.05 * double(triangles));
         ShadeRig rig(std::move(shape), 3000);
         rig.step_sun(30.0);
         inks.push_back(rig.ink());
