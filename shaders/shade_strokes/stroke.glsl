@@ -4,10 +4,19 @@
 // As part of the segment: where it begins and ends along and across it.
 struct Stroke {
     vec2 v, side;
-    vec2 part;   // of the way from turn to turn of the zigzag that is within the segment
-    bvec2 cut;   // whether the stroke goes on in the segment next to this
-    bvec2 taper; // whether the chain ends here
+    vec4 part;    // of the way from turn to turn of the zigzag, at its begin and its end: by the level's points, and by the
+                  // next level's
+    float finer;  // how much of the former
+    vec2 turn;    // how much the zigzag turns there; 0 where the stroke goes on in the next one
+    bvec2 taper;  // whether the chain ends there
 };
+
+// The parts of the way from point to point of a level that two places have.
+vec2 parts_of(uint set, int from, int level, vec2 ends) {
+    int low = (from >> level) << level;
+    float begin = point_place(set, low), end = point_place(set, low + (1 << level));
+    return (ends - begin) / max(end - begin, 1e-6);
+}
 
 Stroke stroke_of(const Seen seen, int number) {
     uint set = seen.set[0];
@@ -18,12 +27,18 @@ Stroke stroke_of(const Seen seen, int number) {
     bool first = number == 0, last = number == seen.strokes - 1;
     Stroke stroke;
     stroke.v = clamp((ends - seen.place[0]) / seen.span, 0.0, 1.0);
-    stroke.part = (ends - points.x) / max(points.y - points.x, 1e-6);
+    float middle = value_at(seen, 0.5 * (stroke.v.x + stroke.v.y));
+    int level = level_of(middle, stroke.finer);
+    level = max(level, seen.level);
+    stroke.part = vec4(parts_of(set, from, level, ends), parts_of(set, from, level + 1, ends));
     stroke.taper = bvec2(first && (seen.flags & FREE_BEGIN) != 0u, last && (seen.flags & FREE_END) != 0u);
-    stroke.cut = bvec2(first && !stroke.taper.x, last && !stroke.taper.y);
-    stroke.side.x = seen_side(seen, stroke.v.x, first ? point_before(set, ends.x) : from);
-    stroke.side.y = seen_side(seen, stroke.v.y, last ? point_before(set, ends.y) : to);
-    vec2 begin = on_curve(seen, vec2(stroke.v.x, stroke.side.x)), end = on_curve(seen, vec2(stroke.v.y, stroke.side.y));
+    stroke.turn.x = first ? float(stroke.taper.x) : presence(from, value_at(seen, stroke.v.x));
+    stroke.turn.y = last ? float(stroke.taper.y) : presence(to, value_at(seen, stroke.v.y));
+    int points_[2] = int[2](first ? point_before(set, ends.x) : from, last ? point_before(set, ends.y) : to);
+    stroke.side.x = seen_side(seen, stroke.v.x, points_[0]);
+    stroke.side.y = seen_side(seen, stroke.v.y, points_[1]);
+    vec2 begin = on_curve(seen, vec2(stroke.v.x, stroke.side.x), points_[0]);
+    vec2 end = on_curve(seen, vec2(stroke.v.y, stroke.side.y), points_[1]);
     stroke.v = vec2(begin.x, end.x);
     stroke.side = vec2(begin.y, end.y);
     return stroke;

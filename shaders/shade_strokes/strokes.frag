@@ -7,9 +7,10 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 
 noperspective in vec3 center;
 noperspective in vec3 place;
-noperspective in float part;
+noperspective in vec2 part;
 noperspective in float half_width;
 flat in float alpha;
+flat in float finer;
 
 uniform vec3 color;
 uniform float opacity;
@@ -69,8 +70,9 @@ float visible() {
 void main() {
     float coverage = covered(place.x);
     // A parabola over the way from turn to turn, of mean 1.
-    float middle = 2.0 * part - 1.0;
-    coverage *= alpha * (1.0 - lift * middle * middle) / (1.0 - lift / 3.0);
+    vec2 middle = 2.0 * part - 1.0;
+    float lifted = lift * mix(middle.y * middle.y, middle.x * middle.x, finer);
+    coverage *= alpha * (1.0 - lifted) / (1.0 - lift / 3.0);
     if (coverage <= 0.0) discard;
     coverage = opacity * on_paper(min(coverage, 1.0)) * visible();
     out_line = vec4(color, 1.0) * coverage;

@@ -11,15 +11,35 @@ segments;
 
 noperspective out vec3 center;     // of the line: pixels, and depth in the window
 noperspective out vec3 place;      // pixels aside of it, and to its two ends
-noperspective out float part;      // of the way from turn to turn
+noperspective out vec2 part;       // of the way from turn to turn: by the level's points, and by the next one's
 noperspective out float half_width;
 flat out float alpha;
+flat out float finer;              // how much the level's points count
 
+const float SHORT = 0.5;  // pixels: below that, ends don't tell the direction
 const float TAPER = 0.35; // of the width, where a chain ends
 
 vec3 window(vec3 world) {
     vec4 clip = clip_from_world * vec4(world, 1.0);
     return vec3((clip.xy / clip.w * 0.5 + 0.5) * viewport, clip.z / clip.w);
+}
+
+// Which way a stroke runs on the screen, unit: about where it bends, the mean of both sides.
+vec2 direction_at(const Seen seen, const Stroke stroke, float x) {
+    vec2 begin = vec2(stroke.v.x, stroke.side.x), way = vec2(stroke.v.y, stroke.side.y) - begin;
+    float size = max(abs(way.x), abs(way.y));
+    if (!(size > 0.0)) return vec2(1.0, 0.0);
+    vec2 sum = vec2(0.0);
+    for (int i = -1; i < 2; i += 2) {
+        vec2 at = begin + clamp(x + 0.02 * float(i), 0.0, 1.0) * way;
+        vec4 clip = clip_from_world * vec4(patch_at(seen, at.y, at.x), 1.0);
+        vec4 slope = clip_from_world * vec4(patch_slope(seen, at, way / size), 0.0);
+        vec2 pixels = (slope.xy * clip.w - clip.xy * slope.w) * viewport;
+        float length_ = length(pixels);
+        if (length_ > 0.0) sum += pixels / length_;
+    }
+    float length_ = length(sum);
+    return length_ > 1e-3 ? sum / length_ : vec2(1.0, 0.0);
 }
 
 float half_width_at(const Seen seen, const Stroke stroke, float x) {
@@ -30,7 +50,8 @@ float half_width_at(const Seen seen, const Stroke stroke, float x) {
 void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     center = place = vec3(0.0);
-    part = half_width = alpha = 0.0;
+    part = vec2(0.0);
+    half_width = alpha = finer = 0.0;
     Seen seen = segments.seen[in_slot];
     bool bent = (seen.flags & BENT) != 0u;
     int column = gl_VertexID / 2, columns = bent ? 5 : 2;
@@ -41,23 +62,18 @@ void main() {
     float x = bent ? crossing(seen, stroke, p) : float(p);
     vec3 from = window(on_stroke(seen, stroke, 0.0)), to = window(on_stroke(seen, stroke, 1.0));
     vec3 here = bent ? window(on_stroke(seen, stroke, x)) : p == 0 ? from : to;
-    vec2 along = to.xy - from.xy;
-    float length_ = length(along);
-    if (bent)
-        along = window(on_stroke(seen, stroke, min(x + 0.02, 1.0))).xy -
-                window(on_stroke(seen, stroke, max(x - 0.02, 0.0))).xy;
-    float size = length(along);
-    along = size > 1e-5 ? along / size : vec2(1.0, 0.0);
+    float length_ = length(to.xy - from.xy);
+    vec2 along = bent || length_ < SHORT ? direction_at(seen, stroke, x) : (to.xy - from.xy) / length_;
 
-    // Ends reach half a pixel out for a smooth rim, but where the stroke goes on in the next segment.
+    // Ends reach half a pixel out for a smooth rim, but where the stroke goes on in the next one.
     bool first = p == 0, last = p == columns - 1;
-    float out_ = first && !stroke.cut.x ? -0.5 : last && !stroke.cut.y ? 0.5 : 0.0;
+    float out_ = first ? -0.5 * stroke.turn.x : last ? 0.5 * stroke.turn.y : 0.0;
     half_width = half_width_at(seen, stroke, x);
     float aside = ((gl_VertexID & 1) != 0 ? 1.0 : -1.0) * (half_width + 0.5);
     center = vec3(here.xy + out_ * along, here.z);
-    place = vec3(aside, x * length_ + out_ + (stroke.cut.x ? 1.0 : 0.0),
-                 (1.0 - x) * length_ - out_ + (stroke.cut.y ? 1.0 : 0.0));
-    part = mix(stroke.part.x, stroke.part.y, x);
+    place = vec3(aside, x * length_ + out_ + 1.0 - stroke.turn.x, (1.0 - x) * length_ - out_ + 1.0 - stroke.turn.y);
+    part = mix(stroke.part.xz, stroke.part.yw, x);
+    finer = stroke.finer;
     alpha = seen.alpha;
     vec2 pixel = center.xy + aside * vec2(-along.y, along.x);
     gl_Position = vec4(pixel / viewport * 2.0 - 1.0, 0.0, 1.0);

@@ -49,6 +49,14 @@ int level_of(float log_value, out float t) {
     return int(level);
 }
 
+// How much a point counts: those of the level that the next one leaves out fade into the straight line between others.
+float presence(int point, float log_value) {
+    float t;
+    int level = level_of(log_value, t);
+    if ((point & ((1 << level) - 1)) != 0) return 0.0;
+    return (point & (1 << level)) != 0 ? t : 1.0;
+}
+
 // The side at a place on straight lines between points of a level; `point` is one of any level that is not beyond it.
 float side_on_lines(uint set, float place, int point, int level) {
     int low = (point >> level) << level, high = low + (1 << level);

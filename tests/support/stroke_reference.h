@@ -38,14 +38,36 @@ public:
         const double end = begin + length / unit_;
         std::vector<double> places{begin};
         const int stride = 1 << static_cast<int>(std::ceil(std::min(value[0], value[1])));
-        const int first = static_cast<int>(std::floor((begin - 64.0) / stride)) * stride;
+        const int first = static_cast<int>(std::floor((begin - 256.0) / 128.0)) * 128; // of every level
         for (int i = first; point(start.set, i).x <= end; i += stride)
             if (point(start.set, i).x > begin) places.push_back(point(start.set, i).x);
         places.push_back(end);
         std::vector<glm::dvec3> result;
         for (const double place : places) {
             const double v = (place - begin) / (end - begin);
-            result.push_back(patch(segment, side(start.set, place, glm::mix(value[0], value[1], v)), v));
+            const double log_value = glm::mix(value[0], value[1], v);
+            const auto curve = [&](double stride) { // on straight lines between its points
+                double low = begin, high = end;
+                glm::dvec2 at_low(0.0), at_high(0.0);
+                for (int i = first; point(start.set, i).x < end; i += static_cast<int>(stride)) {
+                    const glm::dvec2 p = point(start.set, i);
+                    if (p.x <= begin) continue;
+                    const glm::dvec2 off =
+                        bend(segment, (p.x - begin) / (end - begin)) * glm::dvec2(1.0, 1.0 - p.y * p.y);
+                    if (p.x <= place) {
+                        low = p.x;
+                        at_low = off;
+                    } else {
+                        high = p.x;
+                        at_high = off;
+                        break;
+                    }
+                }
+                return high > low ? glm::mix(at_low, at_high, (place - low) / (high - low)) : at_low;
+            };
+            const double level = std::exp2(std::ceil(log_value)), t = 2.0 * (level - std::exp2(log_value)) / level;
+            const glm::dvec2 off = glm::mix(curve(2.0 * level), curve(level), t);
+            result.push_back(straight(segment, side(start.set, place, log_value) + off.y, v + off.x));
         }
         return result;
     }
@@ -108,8 +130,9 @@ private:
         return glm::mix(at(k), at(k + 1), (side - line(k)) / (line(k + 1) - line(k)));
     }
 
-    /// Hermite's cubic for the chain's middle, within the patch: what is normal to it is left out.
-    [[nodiscard]] glm::dvec3 patch(const ShadeSegment& segment, double side, double v) const {
+    /// By how much Hermite's cubic for the chain's middle leaves the straight line, along it and across, as part of the
+    /// segment: within the patch; what is normal to it is left out.
+    [[nodiscard]] glm::dvec2 bend(const ShadeSegment& segment, double v) const {
         const glm::dvec3 chord = rig_.at(segment.to) - rig_.at(segment.from);
         const glm::dvec3 across = 0.25 * (rig_.at(segment.from, 4) - rig_.at(segment.from, 0) + rig_.at(segment.to, 4) -
                                           rig_.at(segment.to, 0));
@@ -119,12 +142,12 @@ private:
             const glm::dvec3 by = glm::inverse(glm::dmat3(chord, across, normal)) * (slope * length - chord);
             return glm::clamp(glm::dvec2(by), glm::dvec2(-0.75, -1.8), glm::dvec2(0.75, 1.8));
         };
-        glm::dvec2 bend(0.0);
+        glm::dvec2 result(0.0);
         if (segment.before != segment.from)
-            bend += v * (1.0 - v) * (1.0 - v) * off(tangent(segment.before, segment.from, segment.to));
+            result += v * (1.0 - v) * (1.0 - v) * off(tangent(segment.before, segment.from, segment.to));
         if (segment.after != segment.to)
-            bend -= v * v * (1.0 - v) * off(tangent(segment.from, segment.to, segment.after));
-        return straight(segment, side + bend.y * (1.0 - side * side), v + bend.x);
+            result -= v * v * (1.0 - v) * off(tangent(segment.from, segment.to, segment.after));
+        return result;
     }
 
     /// Of the parabola through three nodes.
