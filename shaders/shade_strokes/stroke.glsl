@@ -49,13 +49,19 @@ vec3 on_stroke(const Seen seen, const Stroke stroke, float x) {
     return patch_at(seen, mix(stroke.side.x, stroke.side.y, x), mix(stroke.v.x, stroke.v.y, x));
 }
 
-// Point number p of 0 to 4 of a stroke that bends: where it crosses the lines between rib points, in the order in which
-// it does.
-float crossing(const Seen seen, const Stroke stroke, int p) {
-    float away = stroke.side.y - stroke.side.x;
-    if (p == 0 || p == 4) return 0.25 * float(p);
-    uint k = uint(away > 0.0 ? p : 4 - p);
+// Where a stroke crosses a line between rib points; at one of its ends where it does not.
+float crossing_of(const Seen seen, const Stroke stroke, uint k) {
     float begin = ribs.at[seen.nodes[0] * RIB_POINTS + k].w, end = ribs.at[seen.nodes[1] * RIB_POINTS + k].w;
     float line = mix(begin, end, stroke.v.x), turn = (end - begin) * (stroke.v.y - stroke.v.x);
-    return abs(away - turn) < 1e-4 ? 0.25 * float(p) : clamp((line - stroke.side.x) / (away - turn), 0.0, 1.0);
+    float closing = stroke.side.y - stroke.side.x - turn;
+    return abs(closing) < 1e-6 ? 0.0 : clamp((line - stroke.side.x) / closing, 0.0, 1.0);
+}
+
+// Point number p of 0 to 4 of a stroke that bends: where it crosses the three lines, in the order in which it does, which
+// is not always theirs: lines run aslant themselves.
+float crossing(const Seen seen, const Stroke stroke, int p) {
+    if (p == 0 || p == 4) return 0.25 * float(p);
+    float a = crossing_of(seen, stroke, 1u), b = crossing_of(seen, stroke, 2u), c = crossing_of(seen, stroke, 3u);
+    float low = min(a, min(b, c)), high = max(a, max(b, c));
+    return p == 1 ? low : p == 3 ? high : a + b + c - low - high;
 }

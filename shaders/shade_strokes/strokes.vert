@@ -16,7 +16,7 @@ noperspective out float half_width;
 flat out float alpha;
 flat out float finer;              // how much the level's points count
 
-const float SHORT = 0.5;  // pixels: below that, ends don't tell the direction
+const float SHORT = 0.2;  // pixels: below that, ends don't tell the direction
 const float TAPER = 0.35; // of the width, where a chain ends
 
 vec3 window(vec3 world) {
@@ -24,8 +24,8 @@ vec3 window(vec3 world) {
     return vec3((clip.xy / clip.w * 0.5 + 0.5) * viewport, clip.z / clip.w);
 }
 
-// Which way a stroke runs on the screen, unit: about where it bends, the mean of both sides.
-vec2 direction_at(const Seen seen, const Stroke stroke, float x) {
+// Which way a stroke runs on the screen, unit, by slopes: for one so short that its places do not tell.
+vec2 slope_at(const Seen seen, const Stroke stroke, float x) {
     vec2 begin = vec2(stroke.v.x, stroke.side.x), way = vec2(stroke.v.y, stroke.side.y) - begin;
     float size = max(abs(way.x), abs(way.y));
     if (!(size > 0.0)) return vec2(1.0, 0.0);
@@ -40,6 +40,15 @@ vec2 direction_at(const Seen seen, const Stroke stroke, float x) {
     }
     float length_ = length(sum);
     return length_ > 1e-3 ? sum / length_ : vec2(1.0, 0.0);
+}
+
+// Which way one that bends does: from a pixel before to a pixel behind, so that no bend comes or goes at once.
+vec2 direction_at(const Seen seen, const Stroke stroke, float x, float length_) {
+    float reach = clamp(1.0 / max(length_, 1e-6), 0.02, 1.0);
+    vec2 way = window(on_stroke(seen, stroke, min(x + reach, 1.0))).xy -
+               window(on_stroke(seen, stroke, max(x - reach, 0.0))).xy;
+    float size = length(way);
+    return size < SHORT ? slope_at(seen, stroke, x) : way / size;
 }
 
 float half_width_at(const Seen seen, const Stroke stroke, float x) {
@@ -63,7 +72,9 @@ void main() {
     vec3 from = window(on_stroke(seen, stroke, 0.0)), to = window(on_stroke(seen, stroke, 1.0));
     vec3 here = bent ? window(on_stroke(seen, stroke, x)) : p == 0 ? from : to;
     float length_ = length(to.xy - from.xy);
-    vec2 along = bent || length_ < SHORT ? direction_at(seen, stroke, x) : (to.xy - from.xy) / length_;
+    vec2 along = bent              ? direction_at(seen, stroke, x, length_)
+                 : length_ < SHORT ? slope_at(seen, stroke, x)
+                                   : (to.xy - from.xy) / length_;
 
     // Ends reach half a pixel out for a smooth rim, but where the stroke goes on in the next one.
     bool first = p == 0, last = p == columns - 1;
