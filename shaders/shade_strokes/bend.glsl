@@ -8,8 +8,8 @@ vec3 tangent(vec3 a, vec3 b, vec3 c, float before, float after) {
 
 const vec2 MOST_BEND = vec2(0.25, 0.6); // keeps a curve from turning back, and strokes in their order across it
 
-// What a tangent asks of a curve's inner point, along the segment and across it. What is normal to the patch is left out:
-// the patch is as near the surface as was asked for.
+// What a tangent asks of a curve's inner point, along the segment and across it. What is normal to the patch is left
+// out: the patch is as near the surface as was asked for.
 vec2 bend(vec3 tangent_, float length_, vec3 chord, vec3 across) {
     vec3 off = (tangent_ * length_ - chord) / 3.0;
     float a = dot(chord, chord), b = dot(chord, across), c = dot(across, across);
