@@ -1,7 +1,7 @@
 // Draws a rib in to a share of its amplitude, along its own straight lines, so that it stays on the surface.
 
-// An inner point that would come to lie beyond the outer one stays this near to the middle, over the outer one's distance:
-// so nothing jumps while the share changes, and no two points fall together.
+// An inner point that would come to lie beyond the outer one stays this near to the middle, over the outer one's
+// distance: so nothing jumps while the share changes, and no two points fall together.
 const float INNERMOST_RIM = 0.98;
 
 vec3 on_rib(const vec4 rib[RIB_POINTS], float side) {

@@ -7,8 +7,8 @@
 layout(std430, binding = 2) buffer Ribs { vec4 at[]; }
 ribs;
 
-// One of the strips between two lines of rib points, at v. Each is ruled, so that a fold that both ribs bend at is one of
-// its rims.
+// One of the strips between two lines of rib points, at v. Each is ruled, so that a fold that both ribs bend at is one
+// of its rims.
 struct Strip {
     vec4 right, left;             // its rims here; w: side
     vec4 right_slope, left_slope; // how they change with v
@@ -36,8 +36,8 @@ vec3 patch_at(const Seen seen, float side, float v) {
     return mix(strip.right.xyz, strip.left.xyz, across_strip(strip, side));
 }
 
-// How the place on the patch changes where v and side change by `way`. From differences of rib points, since strokes can
-// be shorter than places can tell.
+// How the place on the patch changes where v and side change by `way`. From differences of rib points, since strokes
+// can be shorter than places can tell.
 vec3 patch_slope(const Seen seen, vec2 at, vec2 way) {
     Strip strip = strip_at(seen, at.y, at.x);
     float t = across_strip(strip, at.y);
@@ -47,8 +47,8 @@ vec3 patch_slope(const Seen seen, vec2 at, vec2 way) {
 
 float value_at(const Seen seen, float v) { return mix(seen.log_value[0], seen.log_value[1], v); }
 
-// How far the chain's curve moves a point of the zigzag, as part of the segment along and across it: nothing at its ends
-// and at its rims.
+// How far the chain's curve moves a point of the zigzag, as part of the segment along and across it: nothing at its
+// ends and at its rims.
 vec2 curve_at(const Seen seen, int point) {
     float v = (point_place(seen.set[0], point) - seen.place[0]) / seen.span, w = 1.0 - v;
     if (v <= 0.0 || v >= 1.0) return vec2(0.0);
@@ -72,7 +72,8 @@ vec2 on_curve(const Seen seen, vec2 at, int point) {
     return at + mix(curve_on_lines(seen, place, point, level + 1), curve_on_lines(seen, place, point, level), t);
 }
 
-// The side of a zigzag's point within the segment. Where two chains were joined the one's zigzag turns into the other's.
+// The side of a zigzag's point within the segment. Where two chains were joined the one's zigzag turns into the
+// other's.
 float seen_side(const Seen seen, float v, int point) {
     float log_value = value_at(seen, v);
     float place = seen.place[0] + v * seen.span;

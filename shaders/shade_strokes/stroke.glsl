@@ -4,11 +4,11 @@
 // As part of the segment: where it begins and ends along and across it.
 struct Stroke {
     vec2 v, side;
-    vec4 part;    // of the way from turn to turn of the zigzag, at its begin and its end: by the level's points, and by the
-                  // next level's
-    float finer;  // how much of the former
-    vec2 turn;    // how much the zigzag turns there; 0 where the stroke goes on in the next one
-    bvec2 taper;  // whether the chain ends there
+    vec4 part;   // of the way from turn to turn of the zigzag, at its begin and its end: by the level's points, and by
+                 // the next level's
+    float finer; // how much of the former
+    vec2 turn;   // how much the zigzag turns there; 0 where the stroke goes on in the next one
+    bvec2 taper; // whether the chain ends there
 };
 
 // The parts of the way from point to point of a level that two places have.
@@ -57,8 +57,8 @@ float crossing_of(const Seen seen, const Stroke stroke, uint k) {
     return abs(closing) < 1e-6 ? 0.0 : clamp((line - stroke.side.x) / closing, 0.0, 1.0);
 }
 
-// Point number p of 0 to 4 of a stroke that bends: where it crosses the three lines, in the order in which it does, which
-// is not always theirs: lines run aslant themselves.
+// Point number p of 0 to 4 of a stroke that bends: where it crosses the three lines, in the order in which it does,
+// which is not always theirs: lines run aslant themselves.
 float crossing(const Seen seen, const Stroke stroke, int p) {
     if (p == 0 || p == 4) return 0.25 * float(p);
     float a = crossing_of(seen, stroke, 1u), b = crossing_of(seen, stroke, 2u), c = crossing_of(seen, stroke, 3u);
