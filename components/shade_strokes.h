@@ -39,7 +39,7 @@ struct ShadeStrokes {
     float no_shade = 0.85f;
     float contrast = 1.0f;
     float full_light = 0.0f;
-    float dead_band = 0.04f;
+    float dead_band = 0.01f;
     std::uint32_t cells = 4000;
     std::uint32_t seed = 1;
     ShadeTip tip = ShadeTip::pencil;

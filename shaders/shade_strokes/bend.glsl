@@ -19,12 +19,15 @@ vec2 bend(vec3 tangent_, float length_, vec3 chord, vec3 across) {
     return clamp(vec2(c * to.x - b * to.y, a * to.y - b * to.x) / square, -MOST_BEND, MOST_BEND);
 }
 
-void set_bends(Segment s, float span, float before, float after, inout Seen seen) {
+// `beside`: the nodes before and behind the segment's.
+void set_bends(Segment s, uint beside[2], float span, float before, float after, inout Seen seen) {
     vec3 from = middle(s.from), to = middle(s.to), chord = to - from;
     vec3 across = 0.25 * (ribs.at[s.from * RIB_POINTS + 4u].xyz - ribs.at[s.from * RIB_POINTS].xyz +
                           ribs.at[s.to * RIB_POINTS + 4u].xyz - ribs.at[s.to * RIB_POINTS].xyz);
-    if (s.before != s.from)
-        seen.bend_from = bend(tangent(middle(s.before), from, to, before, span), span, chord, across);
-    if (s.after != s.to)
-        seen.bend_to = -bend(tangent(from, to, middle(s.after), span, after), span, chord, across);
+    if (seen.free[0] < 1.0)
+        seen.bend_from =
+            (1.0 - seen.free[0]) * bend(tangent(middle(beside[0]), from, to, before, span), span, chord, across);
+    if (seen.free[1] < 1.0)
+        seen.bend_to =
+            -(1.0 - seen.free[1]) * bend(tangent(from, to, middle(beside[1]), span, after), span, chord, across);
 }

@@ -13,7 +13,8 @@ struct Node {
     uint random;
 };
 struct Segment {
-    uint from, to, before, after;
+    uint from, to;      // nodes
+    uint before, after; // segments
     uint cell, chain;
     float alpha;
     uint random;
@@ -28,6 +29,7 @@ struct Seen {
     float place[2];      // in the zigzag where it begins: counted on from its begin, and back from its end
     float span;          // of the zigzag
     float alpha;
+    float free[2]; // how much the chain ends at its begin, at its end: 1 alone, 0 where it goes on as strongly
     uint set[2]; // the zigzag, as counted from its begin and from its end: others where two chains were joined
     uint nodes[2];
     int first;   // the first point of the zigzag within it
@@ -36,6 +38,4 @@ struct Seen {
     uint flags;
     uint batch;
 };
-const uint BENT = 1u;       // its strokes bend with the surface
-const uint FREE_BEGIN = 2u; // the chain begins, or ends, here
-const uint FREE_END = 4u;
+const uint BENT = 1u; // its strokes bend with the surface

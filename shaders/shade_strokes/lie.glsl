@@ -24,13 +24,20 @@ struct Lie {
     float log_value;
 };
 
+// Pixels of one unit of a zigzag, from one node to another.
+bool along_of(uint from_node, uint to_node, float length_, out vec2 along) {
+    vec2 from, to;
+    bool ok = project(middle(from_node), from);
+    ok = project(middle(to_node), to) && ok;
+    along = (to - from) * (unit / length_);
+    return ok;
+}
+
 bool lie_at(uint left_node, uint node, uint right_node, float length_, out Lie lie) {
-    vec2 from, to, right, left;
-    bool ok = project(middle(left_node), from);
-    ok = project(middle(right_node), to) && ok;
+    vec2 right, left;
+    bool ok = along_of(left_node, right_node, length_, lie.along);
     ok = project(ribs.at[node * RIB_POINTS].xyz, right) && ok;
     ok = project(ribs.at[node * RIB_POINTS + 4u].xyz, left) && ok;
-    lie.along = (to - from) * (unit / length_);
     lie.across = 0.5 * (left - right);
     return ok;
 }

@@ -91,20 +91,35 @@ void set_places(Segment s, float span, inout Seen seen) {
     seen.strokes = (end >> seen.level) - (begin >> seen.level) + 1;
 }
 
+// How much a segment's chain ends where another one is beside it, or NONE: one that fades out leaves an end, and one
+// that comes takes it away, without a jump.
+float free_of(Segment s, uint beside) {
+    if (beside == NONE) return 1.0;
+    return clamp(1.0 - 2.0 * segments.segment[beside].alpha / max(s.alpha, 1e-6), 0.0, 1.0);
+}
+
 // False where nothing of it can be seen.
 bool look(Segment s, out Seen seen) {
     seen = Seen(vec2(0.0), vec2(0.0), float[2](0.0, 0.0), float[2](0.0, 0.0), float[2](0.0, 0.0), 0.0, 0.0,
-                uint[2](0u, 0u), uint[2](s.from, s.to), 0, 0, 0, 0u, 0u);
+                float[2](free_of(s, s.before), free_of(s, s.after)), uint[2](0u, 0u), uint[2](s.from, s.to), 0, 0, 0,
+                0u, 0u);
     if (s.cell == NONE || !(s.alpha > 0.0)) return false;
     seen.alpha = smoothstep(-0.1, 0.0, facing(s.from, s.to)) * s.alpha;
     if (!(seen.alpha > 0.0) || outside(s.from, s.to, MOST_WIDTH * line_width + 1.0)) return false;
 
     float span = rest_length(s.from, s.to);
-    float before = s.before != s.from ? rest_length(s.before, s.from) : 0.0;
-    float after = s.after != s.to ? rest_length(s.to, s.after) : 0.0;
+    uint beside[2] = uint[2](s.before != NONE ? segments.segment[s.before].from : s.from,
+                             s.after != NONE ? segments.segment[s.after].to : s.to);
+    float before = s.before != NONE ? rest_length(beside[0], s.from) : 0.0;
+    float after = s.after != NONE ? rest_length(s.to, beside[1]) : 0.0;
     Lie begin, end;
-    if (!lie_at(s.before, s.from, s.to, before + span, begin) || !lie_at(s.from, s.to, s.after, span + after, end))
-        return false;
+    vec2 alone;
+    bool ok = along_of(s.from, s.to, span, alone);
+    ok = lie_at(beside[0], s.from, s.to, before + span, begin) && ok;
+    ok = lie_at(s.from, s.to, beside[1], span + after, end) && ok;
+    if (!ok) return false;
+    begin.along = mix(begin.along, alone, seen.free[0]);
+    end.along = mix(end.along, alone, seen.free[1]);
     seen.log_value[0] = begin.log_value = log_value(begin);
     seen.log_value[1] = end.log_value = log_value(end);
     float shade = delivered.shade[s.cell];
@@ -113,10 +128,10 @@ bool look(Segment s, out Seen seen) {
         seen.half_width = float[2](seen.half_width[0] * s.alpha, seen.half_width[1] * s.alpha);
         seen.alpha /= s.alpha;
     }
-    set_bends(s, span, before, after, seen);
+    set_bends(s, beside, span, before, after, seen);
     set_places(s, span, seen);
     bool bent = bends(s.from) || bends(s.to);
-    seen.flags = (bent ? BENT : 0u) | (s.before == s.from ? FREE_BEGIN : 0u) | (s.after == s.to ? FREE_END : 0u);
+    seen.flags = bent ? BENT : 0u;
     seen.batch = uint(batch_of(seen.strokes) + (bent ? SIZES : 0));
     return true;
 }

@@ -8,7 +8,7 @@ struct Stroke {
                  // the next level's
     float finer; // how much of the former
     vec2 turn;   // how much the zigzag turns there; 0 where the stroke goes on in the next one
-    bvec2 taper; // whether the chain ends there
+    vec2 taper;  // how much the chain ends there
 };
 
 // The parts of the way from point to point of a level that two places have.
@@ -31,9 +31,9 @@ Stroke stroke_of(const Seen seen, int number) {
     int level = level_of(middle, stroke.finer);
     level = max(level, seen.level);
     stroke.part = vec4(parts_of(set, from, level, ends), parts_of(set, from, level + 1, ends));
-    stroke.taper = bvec2(first && (seen.flags & FREE_BEGIN) != 0u, last && (seen.flags & FREE_END) != 0u);
-    stroke.turn.x = first ? float(stroke.taper.x) : presence(from, value_at(seen, stroke.v.x));
-    stroke.turn.y = last ? float(stroke.taper.y) : presence(to, value_at(seen, stroke.v.y));
+    stroke.taper = vec2(first ? seen.free[0] : 0.0, last ? seen.free[1] : 0.0);
+    stroke.turn.x = first ? stroke.taper.x : presence(from, value_at(seen, stroke.v.x));
+    stroke.turn.y = last ? stroke.taper.y : presence(to, value_at(seen, stroke.v.y));
     int points_[2] = int[2](first ? point_before(set, ends.x) : from, last ? point_before(set, ends.y) : to);
     stroke.side.x = seen_side(seen, stroke.v.x, points_[0]);
     stroke.side.y = seen_side(seen, stroke.v.y, points_[1]);

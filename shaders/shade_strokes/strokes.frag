@@ -7,6 +7,7 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 
 noperspective in vec3 center;
 noperspective in vec3 place;
+flat in vec2 turn;
 noperspective in vec2 part;
 noperspective in float half_width;
 flat in float alpha;
@@ -22,12 +23,19 @@ layout(location = 0) out vec4 out_line;
 layout(location = 1) out vec4 out_coverage;
 #endif
 
+const float BAREST = 0.002;
 const float STEEPEST = 8.0; // 1 / cosine of the angle of sight from which on no more is allowed for
 
-// A box filter one pixel wide; what is thinner than a pixel keeps its width as opacity, so that ink stays.
+// A box filter one pixel wide along the line, `beyond` its ends.
+float ends(vec2 beyond) {
+    vec2 to = clamp(place.yz + beyond, -0.5, 0.5);
+    return max(to.x + to.y, 0.0);
+}
+
+// The same across it; what is thinner than a pixel keeps its width as opacity, so that ink stays.
 float covered(float aside) {
     float across = clamp(half_width - abs(aside) + 0.5, 0.0, min(1.0, 2.0 * half_width));
-    return across * max(clamp(place.y, -0.5, 0.5) + clamp(place.z, -0.5, 0.5), 0.0);
+    return across * ends(1.0 - turn);
 }
 
 float scene_at(ivec2 pixel) {
@@ -37,20 +45,22 @@ float scene_at(ivec2 pixel) {
 // How depth changes from pixel to pixel: over the side where it does less, which is the surface's own.
 float slope_at(ivec2 pixel, ivec2 axis, float here) {
     float ahead = scene_at(pixel + axis) - here, behind = here - scene_at(pixel - axis);
-    return abs(ahead) < abs(behind) ? ahead : behind;
+    float squares = ahead * ahead + behind * behind;
+    return squares > 0.0 ? ahead * behind * (ahead + behind) / squares : 0.0;
 }
 
 // Whether the line's middle is on the surface that a pixel shows, as far as strokes hug it. Depth in the window is
 // linear over a triangle, so the slope says how deep its plane is at the very point, and how much of an error along
 // the normal is one along the line of sight.
-bool on_surface(ivec2 pixel, vec2 from_pixel, float depth) {
+float on_surface(ivec2 pixel, vec2 from_pixel, float depth) {
     float scene = scene_at(pixel), surface = view_depth(max(scene, 1e-9));
-    if (depth <= surface + hugging) return true; // mostly: a slope only allows for more
+    if (depth <= surface + hugging) return 1.0; // mostly: a slope only allows for more
     vec2 slope = vec2(slope_at(pixel, ivec2(1, 0), scene), slope_at(pixel, ivec2(0, 1), scene));
     vec2 rise = vec2(view_depth(max(scene + slope.x, 1e-9)), view_depth(max(scene + slope.y, 1e-9))) - surface;
     float metres = pixel_size * (eye.w > 0.0 ? surface : 1.0); // of a pixel
     float steep = min(sqrt(1.0 + dot(rise, rise) / (metres * metres)), STEEPEST);
-    return depth <= view_depth(max(scene + dot(slope, from_pixel), 1e-9)) + hugging * steep;
+    float limit = max(surface + hugging, view_depth(max(scene + dot(slope, from_pixel), 1e-9)) + hugging * steep);
+    return clamp(1.0 + (limit - depth) / hugging, 0.0, 1.0);
 }
 
 // How much of the line's middle is seen: of the pixels around it, which lie on both sides of a silhouette.
@@ -62,7 +72,7 @@ float visible() {
     for (int i = 0; i < 4; ++i) {
         ivec2 corner = ivec2(i & 1, i >> 1);
         vec2 weight = mix(1.0 - f, f, vec2(corner));
-        if (on_surface(base + corner, f - vec2(corner), depth)) seen += weight.x * weight.y;
+        seen += on_surface(base + corner, f - vec2(corner), depth) * weight.x * weight.y;
     }
     return clamp(2.0 * seen - 0.5, 0.0, 1.0);
 }
@@ -75,6 +85,10 @@ void main() {
     coverage *= alpha * (1.0 - lifted) / (1.0 - lift / 3.0);
     if (coverage <= 0.0) discard;
     coverage = opacity * on_paper(min(coverage, 1.0)) * visible();
+    // Where a stroke goes on in the next segment, both draw a part; in parts of the density, what is left bare by one
+    // part over the other is what the whole stroke leaves.
+    float share = ends(vec2(0.0)) / ends(1.0 - turn);
+    if (share < 1.0) coverage = 1.0 - pow(max(1.0 - coverage, BAREST), share);
     out_line = vec4(color, 1.0) * coverage;
 #ifdef COVERAGE
     out_coverage = vec4(coverage);

@@ -11,6 +11,7 @@ segments;
 
 noperspective out vec3 center;     // of the line: pixels, and depth in the window
 noperspective out vec3 place;      // pixels aside of it, and to its two ends
+flat out vec2 turn;                // how much these are ends of the stroke; 0 where it goes on in the next segment
 noperspective out vec2 part;       // of the way from turn to turn: by the level's points, and by the next one's
 noperspective out float half_width;
 flat out float alpha;
@@ -53,13 +54,13 @@ vec2 direction_at(const Seen seen, const Stroke stroke, float x, float length_) 
 
 float half_width_at(const Seen seen, const Stroke stroke, float x) {
     float here = mix(seen.half_width[0], seen.half_width[1], mix(stroke.v.x, stroke.v.y, x));
-    return here * mix(stroke.taper.x ? TAPER : 1.0, stroke.taper.y ? TAPER : 1.0, x);
+    return here * mix(mix(1.0, TAPER, stroke.taper.x), mix(1.0, TAPER, stroke.taper.y), x);
 }
 
 void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     center = place = vec3(0.0);
-    part = vec2(0.0);
+    part = turn = vec2(0.0);
     half_width = alpha = finer = 0.0;
     Seen seen = segments.seen[in_slot];
     bool bent = (seen.flags & BENT) != 0u;
@@ -76,13 +77,13 @@ void main() {
                  : length_ < SHORT ? slope_at(seen, stroke, x)
                                    : (to.xy - from.xy) / length_;
 
-    // Ends reach half a pixel out for a smooth rim, but where the stroke goes on in the next one.
-    bool first = p == 0, last = p == columns - 1;
-    float out_ = first ? -0.5 * stroke.turn.x : last ? 0.5 * stroke.turn.y : 0.0;
+    // Ends reach half a pixel out for a smooth rim.
+    float out_ = p == 0 ? -0.5 : p == columns - 1 ? 0.5 : 0.0;
     half_width = half_width_at(seen, stroke, x);
     float aside = ((gl_VertexID & 1) != 0 ? 1.0 : -1.0) * (half_width + 0.5);
     center = vec3(here.xy + out_ * along, here.z);
-    place = vec3(aside, x * length_ + out_ + 1.0 - stroke.turn.x, (1.0 - x) * length_ - out_ + 1.0 - stroke.turn.y);
+    place = vec3(aside, x * length_ + out_, (1.0 - x) * length_ - out_);
+    turn = stroke.turn;
     part = mix(stroke.part.xz, stroke.part.yw, x);
     finer = stroke.finer;
     alpha = seen.alpha;

@@ -28,36 +28,36 @@ std::uint32_t ChainEditor::grow(std::uint32_t chain, ChainSide side, std::uint32
     ShadeChain& own = chains_.chains.edit(chain);
     const bool at_end = side == ChainSide::end;
     const std::uint64_t bits = shade_bits(own.random, ShadePurpose::segment, chains_.born++);
-    const std::uint32_t segment = chains_.segments.take({at_end ? tip : next, at_end ? next : tip, no_slot, no_slot,
-                                                         cell, chain, 0.0f, static_cast<std::uint32_t>(bits >> 32)});
-    if (segment >= chains_.links.size()) chains_.links.resize(segment + 1);
     const std::uint32_t beside = at_end ? own.last : own.first;
-    chains_.links[segment] = {
-        at_end ? beside : no_slot, at_end ? no_slot : beside, no_slot, no_slot, shade, shade, own.max_alpha};
-    if (beside != no_slot) (at_end ? chains_.links[beside].next : chains_.links[beside].previous) = segment;
+    const std::uint32_t segment =
+        chains_.segments.take({at_end ? tip : next, at_end ? next : tip, at_end ? beside : no_slot,
+                               at_end ? no_slot : beside, cell, chain, 0.0f, static_cast<std::uint32_t>(bits >> 32)});
+    if (segment >= chains_.links.size()) chains_.links.resize(segment + 1);
+    chains_.links[segment] = {no_slot, no_slot, shade, shade, own.max_alpha};
+    if (beside != no_slot) {
+        ShadeSegment& other = chains_.segments.edit(beside);
+        (at_end ? other.after : other.before) = segment;
+    }
     (at_end ? own.last : own.first) = segment;
     if (beside == no_slot) own.first = own.last = segment;
-    set_beside(segment);
-    if (beside != no_slot) set_beside(beside);
     link_to_cell(segment, cell);
     return segment;
 }
 
 void ChainEditor::remove(std::uint32_t segment, const glm::vec3& heading) {
     const ShadeSegment gone = chains_.segments[segment];
-    const ShadeSegmentLinks links = chains_.links[segment];
     unlink_from_cell(segment);
     chains_.segments.give_back(segment, dead_segment);
-    if (links.previous == no_slot) {
+    if (gone.before == no_slot) {
         stop_waiting(gone.chain, ChainSide::begin);
         chains_.nodes.give_back(gone.from, {});
     }
-    if (links.next == no_slot) {
+    if (gone.after == no_slot) {
         stop_waiting(gone.chain, ChainSide::end);
         chains_.nodes.give_back(gone.to, {});
     }
     std::uint32_t rest = gone.chain; // the chain of what comes behind
-    if (links.previous != no_slot && links.next != no_slot) {
+    if (gone.before != no_slot && gone.after != no_slot) {
         const ShadeChain& own = chains_.chains[gone.chain];
         rest = begin_chain(shade_bits(own.random, ShadePurpose::chain, chains_.born++), own.general, own.normal,
                            own.max_alpha);
@@ -66,20 +66,18 @@ void ChainEditor::remove(std::uint32_t segment, const glm::vec3& heading) {
         chains_.chains.edit(rest).last = chains_.chains[gone.chain].last;
         if (end.cell != no_slot) wait(rest, ChainSide::end, end.cell, end.heading);
     }
-    if (links.previous != no_slot) {
-        chains_.links[links.previous].next = no_slot;
-        chains_.chains.edit(gone.chain).last = links.previous;
-        set_beside(links.previous);
+    if (gone.before != no_slot) {
+        chains_.segments.edit(gone.before).after = no_slot;
+        chains_.chains.edit(gone.chain).last = gone.before;
         wait(gone.chain, ChainSide::end, gone.cell, heading);
     }
-    if (links.next != no_slot) {
-        chains_.links[links.next].previous = no_slot;
-        chains_.chains.edit(rest).first = links.next;
-        if (rest != gone.chain) own_from(links.next, rest);
-        set_beside(links.next);
+    if (gone.after != no_slot) {
+        chains_.segments.edit(gone.after).before = no_slot;
+        chains_.chains.edit(rest).first = gone.after;
+        if (rest != gone.chain) own_from(gone.after, rest);
         wait(rest, ChainSide::begin, gone.cell, -heading);
     }
-    if (links.previous == no_slot && links.next == no_slot) {
+    if (gone.before == no_slot && gone.after == no_slot) {
         chains_.chains.edit(gone.chain).first = chains_.chains.edit(gone.chain).last = no_slot;
         drop_empty(gone.chain);
     }
@@ -91,12 +89,10 @@ void ChainEditor::join(std::uint32_t first, std::uint32_t second) {
     const ShadeEnd end = chains_.chains[second].end[1];
     stop_waiting(second, ChainSide::end);
     const std::uint32_t before = chains_.chains[first].last, behind = chains_.chains[second].first;
-    chains_.links[before].next = behind;
-    chains_.links[behind].previous = before;
+    chains_.segments.edit(before).after = behind;
+    chains_.segments.edit(behind).before = before;
     chains_.chains.edit(first).last = chains_.chains[second].last;
     own_from(behind, first);
-    set_beside(before);
-    set_beside(behind);
     if (end.cell != no_slot) wait(first, ChainSide::end, end.cell, end.heading);
     chains_.chains.give_back(second, {});
 }
@@ -156,15 +152,8 @@ void ChainEditor::unlink_from_cell(std::uint32_t segment) {
     if (links.cell_next != no_slot) chains_.links[links.cell_next].cell_previous = links.cell_previous;
 }
 
-void ChainEditor::set_beside(std::uint32_t segment) {
-    const ShadeSegmentLinks& links = chains_.links[segment];
-    ShadeSegment& own = chains_.segments.edit(segment);
-    own.before = links.previous != no_slot ? chains_.segments[links.previous].from : own.from;
-    own.after = links.next != no_slot ? chains_.segments[links.next].to : own.to;
-}
-
 void ChainEditor::own_from(std::uint32_t segment, std::uint32_t chain) {
-    for (std::uint32_t s = segment; s != no_slot; s = chains_.links[s].next) chains_.segments.edit(s).chain = chain;
+    for (std::uint32_t s = segment; s != no_slot; s = chains_.segments[s].after) chains_.segments.edit(s).chain = chain;
 }
 
 } // namespace hachure

@@ -54,8 +54,6 @@ public:
 private:
     void link_to_cell(std::uint32_t segment, std::uint32_t cell);
     void unlink_from_cell(std::uint32_t segment);
-    /// Writes `before` and `after` of a segment from its neighbours.
-    void set_beside(std::uint32_t segment);
     void own_from(std::uint32_t segment, std::uint32_t chain);
 
     ShadeChains& chains_;

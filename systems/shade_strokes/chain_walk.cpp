@@ -273,8 +273,7 @@ std::uint32_t ChainWalk::meeting(std::uint32_t cell) const {
     const glm::dvec3 here = WalkTriangle(mesh_.sheets, place_.triangle).at(place_.weight), along = sign_ * heading_;
     for (std::uint32_t s = chains_.cells[cell].first; s != no_slot; s = chains_.links[s].cell_next) {
         const ShadeSegment& segment = chains_.segments[s];
-        const bool open =
-            side_ == ChainSide::end ? chains_.links[s].previous == no_slot : chains_.links[s].next == no_slot;
+        const bool open = side_ == ChainSide::end ? segment.before == no_slot : segment.after == no_slot;
         if (!open || segment.chain == chain_) continue;
         const ShadeNode& node = chains_.nodes[side_ == ChainSide::end ? segment.from : segment.to];
         if (glm::distance(mesh_.at(node.rib[2]), here) > join_bend * length_) continue;

@@ -36,7 +36,7 @@ struct ShadeNode {
 /// A piece of a chain, within one cell. Dead slots have `cell == no_slot` and alpha 0.
 struct ShadeSegment {
     std::uint32_t from, to;      ///< nodes
-    std::uint32_t before, after; ///< the nodes beside them in the chain; `from` and `to` themselves at its ends
+    std::uint32_t before, after; ///< segments beside it in the chain, or `no_slot`
     std::uint32_t cell, chain;
     float alpha;          ///< how strongly its strokes are drawn, in [0, 1]
     std::uint32_t random; ///< a random number that stays while the segment lives
@@ -44,7 +44,6 @@ struct ShadeSegment {
 
 /// What only the update needs to know of a segment.
 struct ShadeSegmentLinks {
-    std::uint32_t previous, next;           ///< segments beside it in the chain, or `no_slot`
     std::uint32_t cell_previous, cell_next; ///< segments beside it in its cell's list, or `no_slot`
     float shade;                            ///< that it delivers to its cell at alpha 1, as narrow as it is now
     float laid;                             ///< the same with all of its amplitude

@@ -125,10 +125,10 @@ double ShadeUpdateJob::list_fading(std::uint32_t cell) {
     for (const bool ends_alone : {true, false}) {
         open.clear();
         for (std::uint32_t s = chains->cells[cell].first; s != no_slot; s = chains->links[s].cell_next) {
-            const ShadeSegmentLinks& links = chains->links[s];
-            if (ends_alone && links.previous != no_slot && links.next != no_slot) continue;
+            const ShadeSegment& segment = chains->segments[s];
+            if (ends_alone && segment.before != no_slot && segment.after != no_slot) continue;
             open.push_back(s);
-            shade += links.shade;
+            shade += chains->links[s].shade;
         }
         if (!open.empty()) break;
     }

@@ -7,7 +7,7 @@
 namespace hachure::stroke_layout {
 
 inline constexpr std::size_t vector_bytes = 16;
-inline constexpr std::size_t seen_bytes = 88; ///< Seen of data.glsl
+inline constexpr std::size_t seen_bytes = 96; ///< Seen of data.glsl
 inline constexpr std::size_t group = 64;      ///< threads of a work group, of every shader
 
 // batches.glsl

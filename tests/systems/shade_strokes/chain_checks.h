@@ -26,16 +26,13 @@ inline void expect_sound(const ShadeMesh& mesh, const ShadeChains& chains) {
         if (chain.first == no_slot) continue;
         ++live_chains;
         std::uint32_t previous = no_slot, last_node = no_slot;
-        for (std::uint32_t s = chain.first; s != no_slot; s = chains.links[s].next) {
+        for (std::uint32_t s = chain.first; s != no_slot; s = chains.segments[s].after) {
             const ShadeSegment& segment = chains.segments[s];
             ASSERT_EQ(segment.chain, c);
-            ASSERT_EQ(chains.links[s].previous, previous);
+            ASSERT_EQ(segment.before, previous);
             if (previous != no_slot) {
                 ASSERT_EQ(segment.from, last_node);
-                ASSERT_EQ(segment.before, chains.segments[previous].from);
-                ASSERT_EQ(chains.segments[previous].after, segment.to);
             } else {
-                ASSERT_EQ(segment.before, segment.from);
                 nodes.insert(segment.from);
             }
             ASSERT_NE(segment.from, segment.to);
@@ -49,7 +46,6 @@ inline void expect_sound(const ShadeMesh& mesh, const ShadeChains& chains) {
             previous = s;
         }
         ASSERT_EQ(chain.last, previous);
-        ASSERT_EQ(chains.segments[previous].after, chains.segments[previous].to);
     }
     EXPECT_EQ(segments, chains.segments.live());
     EXPECT_EQ(live_chains, chains.chains.live());

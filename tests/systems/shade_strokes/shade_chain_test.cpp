@@ -49,9 +49,9 @@ TEST(ShadeChainTest, ChainsDoNotBendOverDiagonals) {
         double worst = 0.0;
         std::size_t count = 0;
         each_segment(rig, [&](std::uint32_t, const ShadeSegment& segment) {
-            if (segment.before == segment.from) return;
-            const glm::dvec2 before = unrolled(segment.before), from = unrolled(segment.from),
-                             to = unrolled(segment.to);
+            if (segment.before == no_slot) return;
+            const glm::dvec2 before = unrolled(rig.chains().segments[segment.before].from),
+                             from = unrolled(segment.from), to = unrolled(segment.to);
             const glm::dvec2 along = glm::normalize(to - before), run = from - before;
             const double off = std::abs(along.x * run.y - along.y * run.x);
             worst = std::max(worst, off / std::max(glm::length(run), glm::length(to - from)));
