@@ -1,11 +1,12 @@
-# What ctest runs of a GoogleTest program: its suites, a process each. A process of its own for every test costs more than
-# the test: half a second to load what OpenImageIO brings, then contexts and shaders. With HACHURE_EACH_TEST in the
-# environment every test is one of ctest's, so that `-R` can name it; `./dev test -R` sets it.
+# What ctest runs of a GoogleTest program. A process of its own for every test costs more than the test: half a second to
+# load the 260 libraries that OpenImageIO brings, then contexts and shaders. So the tests of a folder share a process, but
+# for those on GL back ends, and for those of programs with `apart` set, which take long: there, a suite does. With
+# HACHURE_EACH_TEST in the environment every test is one of ctest's, so that `-R` can name it; `./dev test -R` sets it.
 #
-# ctest includes this with `program` and `labels` set, after the build. Names are the folder of the test's source below
-# tests/, the suite, and the test: systems.gooch.Gl/GoochTest.
+# ctest includes this with `program`, `labels` and `apart` set, after the build. Names are the folder of the test's source
+# below tests/, the suite, and the test: systems.gooch, systems.gooch.Gl/GoochTest, systems.gooch.Gl/GoochTest.Name/egl.
 
-# Writes to `file` what there is: a line `add(KIND NAME FILTER)` for every suite and every test.
+# Writes to `file` what there is: a line `add(KIND NAME FILTER)` for every process and every test.
 function(list_tests file)
   execute_process(COMMAND ${program} --gtest_list_tests --gtest_output=json:${file}.json OUTPUT_QUIET
     RESULT_VARIABLE failed)
@@ -15,6 +16,7 @@ function(list_tests file)
   file(READ ${file}.json json)
   file(REMOVE ${file}.json)
   set(lines "")
+  set(folders "")
   string(JSON suites LENGTH "${json}" testsuites)
   math(EXPR last_suite "${suites} - 1")
   foreach(i RANGE ${last_suite})
@@ -24,13 +26,23 @@ function(list_tests file)
     string(REGEX REPLACE ".*/tests/" "" folder "${source}")
     get_filename_component(folder "${folder}" DIRECTORY)
     string(REPLACE "/" "." folder "${folder}")
-    string(APPEND lines "add(suite [==[${folder}.${name}]==] [==[${name}.*]==])\n")
+    if(apart OR name MATCHES "^Gl/")
+      string(APPEND lines "add(process [==[${folder}.${name}]==] [==[${name}.*]==])\n")
+    else()
+      list(APPEND folders ${folder})
+      list(APPEND suites_of_${folder} "${name}.*")
+    endif()
     string(JSON tests LENGTH "${suite}" testsuite)
     math(EXPR last_test "${tests} - 1")
     foreach(k RANGE ${last_test})
       string(JSON test GET "${suite}" testsuite ${k} name)
       string(APPEND lines "add(test [==[${folder}.${name}.${test}]==] [==[${name}.${test}]==])\n")
     endforeach()
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    list(JOIN suites_of_${folder} ":" filter)
+    string(APPEND lines "add(process [==[${folder}]==] [==[${filter}]==])\n")
   endforeach()
   file(WRITE ${file} "${lines}")
 endfunction()
@@ -40,8 +52,8 @@ if(DEFINED ENV{HACHURE_EACH_TEST})
   set(timeout 120)
   set(skipped "\\[  SKIPPED \\]")
 else()
-  set(wanted suite)
-  set(timeout 600)
+  set(wanted process)
+  set(timeout 1200)
   set(skipped "\\[  PASSED  \\] 0 tests") # what is skipped in part has passed
 endif()
 

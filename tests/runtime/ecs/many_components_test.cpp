@@ -51,11 +51,17 @@ TEST(ManyComponentsTest, WorldsWidenWithTypes) {
         EXPECT_EQ(world.get<C>(all).value, n + 1);
         EXPECT_EQ(world.get<C>(singles[next++]).value, n + 2);
         EXPECT_EQ(world.query<const C>().count(), 2u);
-        EXPECT_EQ((world.query<const C, With<Label>>().count()), 1u);
-        EXPECT_TRUE((world.query<const C, Without<Numbered<0, NumberedInTable>>>().count()) <= 1u);
     };
     for_numbered<NumberedInTable>(check, std::make_index_sequence<many>());
     for_numbered<NumberedSparse>(check, std::make_index_sequence<many>());
+    // Of the first, one in the middle and the last: a compiler takes a second for the templates of each.
+    const auto check_terms = [&]<class C>(std::size_t) {
+        EXPECT_EQ((world.query<const C, With<Label>>().count()), 1u);
+        EXPECT_TRUE((world.query<const C, Without<Numbered<0, NumberedInTable>>>().count()) <= 1u);
+    };
+    using Some = std::index_sequence<0, many / 2, many - 1>;
+    for_numbered<NumberedInTable>(check_terms, Some());
+    for_numbered<NumberedSparse>(check_terms, Some());
     const Entity copy = world.instantiate(all);
     for_numbered<NumberedInTable>([&]<class C>(std::size_t i) { EXPECT_EQ(world.get<C>(copy).value, i + 1); },
                                   std::make_index_sequence<many>());

@@ -90,7 +90,7 @@ TEST_P(LineAccuracyTest, CurvatureIsMuchTheSameAtEveryAngleAndPhase) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(LineAccuracyTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(LineAccuracyTest);
 
 } // namespace
 } // namespace hachure

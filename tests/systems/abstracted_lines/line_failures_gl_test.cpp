@@ -351,7 +351,7 @@ TEST_P(LineFailuresTest, ThinLinesFade) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(LineFailuresTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(LineFailuresTest);
 
 } // namespace
 } // namespace hachure

@@ -74,7 +74,6 @@ double largest_change(TurnedScene& scene, double step, double degrees, int reach
 }
 
 TEST_P(AbstractedLinesMotionTest, HalfTheTurnIsHalfTheChange) {
-    if (GetParam() != gpu::Backend::egl) GTEST_SKIP() << "one back end is enough for so many pictures";
     TurnedScene scene(context());
     constexpr int reach = 1; // a point of the outline moves by up to 2 pixels a degree here
     const double whole = largest_change(scene, 1.0, 8.0, reach), half = largest_change(scene, 0.5, 8.0, reach),
@@ -99,7 +98,7 @@ TEST_P(AbstractedLinesMotionTest, WhatStandsStillHasTheSameLines) {
     EXPECT_EQ(other.lines(20.0).pixels, first.pixels) << "in another world";
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(AbstractedLinesMotionTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(AbstractedLinesMotionTest);
 
 } // namespace
 } // namespace hachure::test

@@ -111,7 +111,7 @@ TEST_P(LinesLookTest, OpacityIsControlledAsInFigure5) {
     EXPECT_LT(Look(context(), folder / "counterchange.json").lines(), 0.9 * soft);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(LinesLookTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(LinesLookTest);
 
 } // namespace
 } // namespace hachure::test

@@ -111,7 +111,7 @@ TEST_P(MeshWidthsGlTest, AMeshWithoutColoursHasItsFullWidth) {
     EXPECT_NEAR(painted.lower() / constant.lower(), 1.0, 0.05);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(MeshWidthsGlTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(MeshWidthsGlTest);
 
 } // namespace
 } // namespace hachure::test

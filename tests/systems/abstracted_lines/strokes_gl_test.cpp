@@ -291,7 +291,7 @@ TEST_P(Strokes, TakeTheirTextureFromAFile) {
     EXPECT_THROW(scene.drawn.renderer().render_frame(), Error);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(Strokes);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(Strokes);
 
 } // namespace
 } // namespace hachure::test

@@ -164,7 +164,7 @@ TEST(DeformDeviceTest, WithoutAGpuTheCpuDoes) {
     EXPECT_EQ(app.world().get<Deformed>(arm.surfaces[0]).positions.size(), 84u);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(GpuPassTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(GpuPassTest);
 
 } // namespace
 } // namespace hachure::test

@@ -324,7 +324,7 @@ TEST_P(LineLooksTest, LinesFromThePictureReachItsRims) {
         }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(LineLooksTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(LineLooksTest);
 
 } // namespace
 } // namespace hachure::test

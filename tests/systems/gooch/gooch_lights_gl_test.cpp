@@ -262,7 +262,7 @@ TEST_P(GoochLightsTest, WorldLightStaysWhileTheCameraMoves) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(GoochLightsTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(GoochLightsTest);
 
 } // namespace
 } // namespace hachure::test

@@ -188,7 +188,7 @@ TEST_P(GoochModesTest, VertexLightIsRightOnBothSidesAndMirrored) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(GoochModesTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(GoochModesTest);
 
 } // namespace
 } // namespace hachure::test

@@ -145,7 +145,7 @@ TEST_P(GoochSceneTest, ObjectColourIsTextureMaterialVerticesAndTint) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(GoochSceneTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(GoochSceneTest);
 
 } // namespace
 } // namespace hachure::test

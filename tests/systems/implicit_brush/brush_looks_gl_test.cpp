@@ -202,7 +202,7 @@ TEST_P(BrushLookTest, PresetsOfPicturesDrawEdges) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(BrushLookTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(BrushLookTest);
 
 } // namespace
 } // namespace hachure::test

@@ -109,14 +109,12 @@ void expect_smaller_with_the_step(BrushedScene& scene, const std::function<void(
 }
 
 TEST_P(BrushesMotionTest, HalfTheTurnIsHalfTheChange) {
-    if (GetParam() != gpu::Backend::egl) GTEST_SKIP() << "one back end is enough for so many pictures";
     BrushedScene scene(context(), still_model());
     expect_smaller_with_the_step(
         scene, [&](double at) { scene.turn(at); }, 1.0, 5.0, 1);
 }
 
 TEST_P(BrushesMotionTest, SoIsHalfTheTurnOfALight) {
-    if (GetParam() != gpu::Backend::egl) GTEST_SKIP() << "one back end is enough for so many pictures";
     BrushedScene scene(context(), still_model());
     World& world = scene.world();
     for (auto [entity, toon] : world.query<Toon>()) toon = {.bands = 3, .softness = 0.2f};
@@ -127,7 +125,6 @@ TEST_P(BrushesMotionTest, SoIsHalfTheTurnOfALight) {
 }
 
 TEST_P(BrushesMotionTest, SoIsHalfTheStepOfAPose) {
-    if (GetParam() != gpu::Backend::egl) GTEST_SKIP() << "one back end is enough for so many pictures";
     BrushedScene scene(context(), arm_model());
     scene.play("bend");
     double before = 0.0;
@@ -155,7 +152,7 @@ TEST_P(BrushesMotionTest, WhatStandsStillIsPaintedTheSame) {
     EXPECT_EQ(other.paint().pixels, first.pixels) << "in another world";
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(BrushesMotionTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(BrushesMotionTest);
 
 } // namespace
 } // namespace hachure::test

@@ -424,7 +424,7 @@ TEST_P(ConvolutionTest, CostsCanBeMeasured) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(ConvolutionTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(ConvolutionTest);
 
 } // namespace
 } // namespace hachure

@@ -85,7 +85,7 @@ TEST_P(BrushExposureTest, HalfTheLightHardlyMovesLines) {
                                 std::to_string(change.weakest) + " to " + std::to_string(change.strongest));
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(BrushExposureTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(BrushExposureTest);
 
 } // namespace
 } // namespace hachure::test

@@ -219,7 +219,7 @@ TEST_P(FeatureFailuresTest, WhatIsNoNumberSpreadsNowhere) {
     for (const std::uint32_t id : {none, depth, normal}) render.backend->destroy_texture(id);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(FeatureFailuresTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(FeatureFailuresTest);
 
 } // namespace
 } // namespace hachure

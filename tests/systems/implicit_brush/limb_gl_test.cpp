@@ -73,12 +73,6 @@ struct Turn {
 
 class BrushLimbTest : public GlTest {
 protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        if (!IsSkipped() && GetParam() != gpu::Backend::egl)
-            GTEST_SKIP() << "one back end is enough for so many frames";
-    }
-
     /// Balls of few and of many facets, small and large, in both projections.
     void for_each_ball(const std::function<void(Ball&, double radius)>& test) {
         for (const double radius : {14.3, 40.3})
@@ -119,7 +113,7 @@ TEST_P(BrushLimbTest, NothingIsDrawnInside) {
     });
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(BrushLimbTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(BrushLimbTest);
 
 } // namespace
 } // namespace hachure::test

@@ -136,7 +136,7 @@ TEST_P(RippleTest, AsAMesh) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(RippleTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(RippleTest);
 
 } // namespace
 } // namespace hachure

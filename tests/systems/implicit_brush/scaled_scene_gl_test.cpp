@@ -85,7 +85,7 @@ TEST_P(BrushScaleTest, LengthsInMetresAreTrueToTheScene) {
     EXPECT_GT(PictureDifference(plain.picture(), scaled.picture()).most, 100);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(BrushScaleTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(BrushScaleTest);
 
 } // namespace
 } // namespace hachure::test

@@ -156,7 +156,7 @@ TEST_P(SelectBrushesTest, AStillFrameRunsNothing) {
     for (const auto& [name, state] : balls.scene.draw_passes()) EXPECT_NE(state, gpu::PassState::run) << name;
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(SelectBrushesTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(SelectBrushesTest);
 
 } // namespace
 } // namespace hachure

@@ -128,12 +128,6 @@ constexpr double energy_of_a_pixel = 2.3;
 
 class BrushTopologyTest : public GlTest {
 protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        if (!IsSkipped() && GetParam() != gpu::Backend::egl)
-            GTEST_SKIP() << "one back end is enough for so many frames";
-    }
-
     /// Energies of a feature while a surface changes by `steps` steps of half a metre.
     std::vector<double> energies(BrushFeature feature, int steps, const std::function<Distance(double)>& surface) {
         RenderContext render(context());
@@ -177,7 +171,7 @@ TEST_P(BrushTopologyTest, ARingCloses) {
     EXPECT_LE(largest_step(valleys), 0.1 * *std::ranges::max_element(valleys));
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(BrushTopologyTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(BrushTopologyTest);
 
 } // namespace
 } // namespace hachure::test

@@ -96,7 +96,7 @@ TEST_P(MetalDeformTest, AnglesOfVerticesAreThoseOfFragments) {
     EXPECT_LT(changed_share(a, b, 2.0 / 255.0), 0.002);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(MetalDeformTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(MetalDeformTest);
 
 using MetalCharacterTest = GivenModelTest;
 

@@ -75,7 +75,6 @@ void expect_no_pop(MetalScene& scene, const Journey& journey) {
 }
 
 TEST_P(MetalPoppingTest, TheLightMovesOnCylinderAndTorus) {
-    if (GetParam() != gpu::Backend::egl) GTEST_SKIP() << "one back end is enough for so many pictures";
     for (const MetalSource source :
          {MetalSource::texture_u, MetalSource::around_axis, MetalSource::along_axis, MetalSource::curvature})
         for (const bool round : {false, true}) {
@@ -91,7 +90,6 @@ TEST_P(MetalPoppingTest, TheLightMovesOnCylinderAndTorus) {
 
 /// The camera turns about the axis of a cylinder, whose outline stays where it is: stripes and the white one move past.
 TEST_P(MetalPoppingTest, TheCameraMoves) {
-    if (GetParam() != gpu::Backend::egl) GTEST_SKIP() << "one back end is enough for so many pictures";
     const Path orbit = [](MetalScene& scene, double degrees) {
         Transform& place = scene.scene.world().get_mutable<Transform>(scene.camera);
         place.rotation = glm::angleAxis(static_cast<float>(glm::radians(degrees)), glm::vec3(0, 1, 0));
@@ -106,7 +104,7 @@ TEST_P(MetalPoppingTest, TheCameraMoves) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(MetalPoppingTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(MetalPoppingTest);
 
 } // namespace
 } // namespace hachure::test

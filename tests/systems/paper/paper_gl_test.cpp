@@ -87,6 +87,7 @@ bool same(const assets::Image& a, const assets::Image& b) { return a.pixels == b
 constexpr PaperKind kinds_of_paper[] = {PaperKind::tooth, PaperKind::cold_press, PaperKind::laid, PaperKind::canvas};
 
 using PaperTest = GlTest;
+using PaperDrawingTest = GlTest; ///< the paper on a tone and on lines, on every back end
 
 TEST_P(PaperTest, FlatTonesAreKeptOnAverage) {
     double worst = 0.0;
@@ -127,7 +128,7 @@ TEST_P(PaperTest, BarePaperStaysClean) {
 }
 
 /// With no passage between them, pigment is where the paper is higher than the share that stays bare.
-TEST_P(PaperTest, PeaksCatchPigmentAndValleysResistIt) {
+TEST_P(PaperDrawingTest, PeaksCatchPigmentAndValleysResistIt) {
     const TempFolder folder;
     const std::string file = (folder / "ramp.png").string();
     assets::Image ramp = assets::make_image(256, 1, 1, assets::PixelType::u8);
@@ -167,7 +168,7 @@ TEST_P(PaperTest, StrengthLeadsFromNothingToAllOfIt) {
 }
 
 /// Lines half the picture wide: their darkness is kept as that of a tone is, where they are not opaque.
-TEST_P(PaperTest, LinesShowThePaperWhereTheyAreAsked) {
+TEST_P(PaperDrawingTest, LinesShowThePaperWhereTheyAreAsked) {
     const Sheet sheet{.color = glm::vec3(1.0f), .size = 0.6f, .lines = EdgeLines{.width = 40.0f}};
     const assets::Image plain = colors(context(), sheet, std::nullopt);
     EXPECT_LT(mean(plain).x, 0.9);
@@ -223,7 +224,8 @@ TEST_P(PaperTest, AFileThatIsMissingOrBrokenEndsTheFrameWithItsName) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(PaperTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(PaperTest);
+HACHURE_INSTANTIATE_GL_TESTS(PaperDrawingTest);
 
 } // namespace
 } // namespace hachure::test

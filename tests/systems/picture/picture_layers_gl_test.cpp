@@ -224,7 +224,7 @@ TEST_P(PictureLayersTest, AFrameThatIsHeldIsNotDrawnAgain) {
     EXPECT_FALSE(runs(5.0)) << "past the end";
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(PictureLayersTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(PictureLayersTest);
 
 } // namespace
 } // namespace hachure::test

@@ -121,7 +121,7 @@ TEST_P(PictureLinesTest, VaryingWidthsOfSurfacesLeaveThemAlone) {
     EXPECT_LT(apart, 0.1 * all);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(PictureLinesTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(PictureLinesTest);
 
 } // namespace
 } // namespace hachure::test

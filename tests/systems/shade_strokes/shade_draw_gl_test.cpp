@@ -266,7 +266,7 @@ TEST_P(ShadeDrawTest, DrawsNothingOfNoStrokes) {
     EXPECT_EQ(mean(picture.draw(view_from(from_front, 4.0f, 100))), 0.0);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(ShadeDrawTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(ShadeDrawTest);
 
 } // namespace
 } // namespace hachure::test

@@ -138,7 +138,7 @@ TEST_P(ShadeInkGlTest, DecimationChangesLittleOfThePicture) {
     expect_same_ink(meshes);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(ShadeInkGlTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(ShadeInkGlTest);
 
 } // namespace
 } // namespace hachure::test

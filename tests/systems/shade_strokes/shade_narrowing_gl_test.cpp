@@ -125,7 +125,7 @@ TEST_P(ShadeNarrowingGlTest, UploadsSharesWhenTheyChangeAlone) {
     EXPECT_FALSE(buffers.shares);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(ShadeNarrowingGlTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(ShadeNarrowingGlTest);
 
 } // namespace
 } // namespace hachure::test

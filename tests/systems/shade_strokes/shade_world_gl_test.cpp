@@ -380,7 +380,7 @@ TEST_P(ShadeWorldTest, ThreadsGiveTheSameFrames) {
     EXPECT_FALSE(one.front().picture == one.back().picture) << "frames that show nothing compare nothing";
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(ShadeWorldTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(ShadeWorldTest);
 
 } // namespace
 } // namespace hachure::test

@@ -224,7 +224,7 @@ TEST_P(StrokeSurfaceTest, IsWhatTheReferenceSays) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(StrokeSurfaceTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(StrokeSurfaceTest);
 
 } // namespace
 } // namespace hachure::test

@@ -286,7 +286,7 @@ TEST_P(NormalMapTest, PartsWithoutAMapKeepTheirNormals) {
     }
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(NormalMapTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(NormalMapTest);
 
 /// What spawning says of the map and what it leaves of it.
 SpawnedModel spawn_in(World& world, const assets::Model& model) {

@@ -362,7 +362,7 @@ TEST_P(ToonTest, NothingPops) {
     EXPECT_LT(quarter, 0.65 * half);
 }
 
-HACHURE_INSTANTIATE_GL_TESTS(ToonTest);
+HACHURE_INSTANTIATE_GL_TESTS_ONCE(ToonTest);
 
 } // namespace
 } // namespace hachure::test
