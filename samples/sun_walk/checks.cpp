@@ -35,7 +35,7 @@ void Checks::strokes_follow(int frames) {
     const std::uint64_t all = counts.triangles_swept;
     std::uint64_t touched = 0;
     for (int i = 0; i < frames; ++i) {
-        draw(1.0 / 30.0);
+        draw(1.0 / 120.0);
         std::printf("frame %d: %llu of %llu triangles touched, %llu chains of %llu segments\n", i,
                     static_cast<unsigned long long>(counts.triangles_touched), static_cast<unsigned long long>(all),
                     static_cast<unsigned long long>(counts.chains), static_cast<unsigned long long>(counts.segments));
@@ -88,8 +88,8 @@ void Checks::turning_costs_nothing(samples::Orbit& orbit) {
 }
 
 void Checks::nothing_moves() {
-    draw(1.0 / 30.0);
-    draw(1.0 / 30.0);
+    draw(1.0 / 120.0);
+    draw(1.0 / 120.0);
     std::printf("nothing moved: %d passes ran\n", samples::passes_run(renderer_));
     check(samples::passes_run(renderer_) == 0, "passes run while nothing moves");
 }

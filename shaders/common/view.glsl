@@ -16,3 +16,9 @@ float view_depth(float depth) {
     return -(clip_from_view[3][2] - depth * clip_from_view[3][3]) /
            (depth * clip_from_view[2][3] - clip_from_view[2][2]);
 }
+
+// The depth buffer value of such a distance.
+float window_depth(float metres) {
+    return (metres * clip_from_view[2][2] - clip_from_view[3][2]) /
+           (metres * clip_from_view[2][3] - clip_from_view[3][3]);
+}

@@ -22,6 +22,7 @@ uniform float front;       // -1 where the transform mirrors, else 1
 uniform bool solid;        // strokes get thinner, not fainter
 
 const float BEND_PIXELS = 0.25; // that make strokes bend
+const float LEAST_SIDE = 0.02;  // of a patch, over the largest, that says which way it looks
 
 shared uint in_batch[BATCHES];
 
@@ -33,19 +34,24 @@ float rest_length(uint a, uint b) {
     return max(counted ? along : chord, 1e-9);
 }
 
-// The sine of the angle by which the surface looks towards the eye, where it does most.
+// Whether the surface looks towards the eye, or edge on, anywhere: 1, and 0 where all of it looks away. Where a patch is
+// folded to nothing its normals are noise.
 float facing(uint from, uint to) {
     vec3 along = middle(to) - middle(from);
-    float most = -1.0;
-    for (int i = 0; i < 2; ++i) {
-        uint n = i == 0 ? from : to;
-        for (int k = 0; k + 1 < RIB_POINTS; ++k) {
-            vec3 right = ribs.at[n * RIB_POINTS + k].xyz;
-            vec3 normal = cross(along, ribs.at[n * RIB_POINTS + k + 1].xyz - right);
-            float size = length(normal);
-            if (size > 0.0) most = max(most, front * dot(normal, towards_eye(right)) / size);
-        }
+    float size[2 * RIB_POINTS], sine[2 * RIB_POINTS], largest = 0.0;
+    for (int i = 0; i < 2 * RIB_POINTS; ++i) {
+        size[i] = 0.0;
+        uint point = (i < RIB_POINTS ? from : to) * RIB_POINTS + i % RIB_POINTS;
+        if (i % RIB_POINTS == RIB_POINTS - 1) continue;
+        vec3 right = ribs.at[point].xyz;
+        vec3 normal = cross(along, ribs.at[point + 1u].xyz - right);
+        size[i] = length(normal);
+        sine[i] = front * dot(normal, towards_eye(right)) / max(size[i], 1e-30);
+        largest = max(largest, size[i]);
     }
+    float most = 0.0;
+    for (int i = 0; i < 2 * RIB_POINTS; ++i)
+        if (size[i] > 0.0) most = max(most, smoothstep(-0.1, 0.0, sine[i]) * min(1.0, size[i] / (LEAST_SIDE * largest)));
     return most;
 }
 
@@ -104,7 +110,7 @@ bool look(Segment s, out Seen seen) {
                 float[2](free_of(s, s.before), free_of(s, s.after)), uint[2](0u, 0u), uint[2](s.from, s.to), 0, 0, 0,
                 0u, 0u);
     if (s.cell == NONE || !(s.alpha > 0.0)) return false;
-    seen.alpha = smoothstep(-0.1, 0.0, facing(s.from, s.to)) * s.alpha;
+    seen.alpha = facing(s.from, s.to) * s.alpha;
     if (!(seen.alpha > 0.0) || outside(s.from, s.to, MOST_WIDTH * line_width + 1.0)) return false;
 
     float span = rest_length(s.from, s.to);

@@ -42,39 +42,45 @@ float scene_at(ivec2 pixel) {
     return texelFetch(depth_buffer, clamp(pixel, ivec2(0), textureSize(depth_buffer, 0) - 1), 0).r;
 }
 
-// How depth changes from pixel to pixel: over the side where it does less, which is the surface's own.
+// How depth changes from pixel to pixel: much as over the side where it does less, which is the surface's own.
 float slope_at(ivec2 pixel, ivec2 axis, float here) {
     float ahead = scene_at(pixel + axis) - here, behind = here - scene_at(pixel - axis);
     float squares = ahead * ahead + behind * behind;
     return squares > 0.0 ? ahead * behind * (ahead + behind) / squares : 0.0;
 }
 
-// Whether the line's middle is on the surface that a pixel shows, as far as strokes hug it. Depth in the window is
-// linear over a triangle, so the slope says how deep its plane is at the very point, and how much of an error along
-// the normal is one along the line of sight.
-float on_surface(ivec2 pixel, vec2 from_pixel, float depth) {
-    float scene = scene_at(pixel), surface = view_depth(max(scene, 1e-9));
-    if (depth <= surface + hugging) return 1.0; // mostly: a slope only allows for more
+// Whether the line's middle is on the surface that a pixel shows, as far as strokes hug it: 1, and less where it is
+// farther behind it. Depth in the window is linear over a triangle, so the slope says how deep its plane is at the very
+// point, and how much of an error along the normal is one along the line of sight.
+float on_surface(ivec2 pixel, vec2 from_pixel, float depth, float nearest) {
+    float scene = scene_at(pixel);
+    if (scene <= nearest) return 1.0; // mostly: a slope only allows for more
+    float surface = view_depth(scene);
     vec2 slope = vec2(slope_at(pixel, ivec2(1, 0), scene), slope_at(pixel, ivec2(0, 1), scene));
     vec2 rise = vec2(view_depth(max(scene + slope.x, 1e-9)), view_depth(max(scene + slope.y, 1e-9))) - surface;
     float metres = pixel_size * (eye.w > 0.0 ? surface : 1.0); // of a pixel
     float steep = min(sqrt(1.0 + dot(rise, rise) / (metres * metres)), STEEPEST);
-    float limit = max(surface + hugging, view_depth(max(scene + dot(slope, from_pixel), 1e-9)) + hugging * steep);
+    float plane = view_depth(max(scene + dot(slope, from_pixel), 1e-9));
+    float limit = max(surface + hugging, plane + hugging * steep);
     return clamp(1.0 + (limit - depth) / hugging, 0.0, 1.0);
 }
 
-// How much of the line's middle is seen: of the pixels around it, which lie on both sides of a silhouette.
+// Of a quadratic B-spline at the pixels before, at and behind a place, `f` pixels from the middle one.
+vec3 spline(float f) { return vec3(0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f)); }
+
+// How much of the line's middle is seen: of the pixels around it, so that strokes come out from behind a silhouette, which
+// takes whole pixels, in parts.
 float visible() {
-    vec2 at = center.xy - 0.5;
-    ivec2 base = ivec2(floor(at));
-    vec2 f = at - vec2(base);
-    float depth = view_depth(center.z), seen = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 corner = ivec2(i & 1, i >> 1);
-        vec2 weight = mix(1.0 - f, f, vec2(corner));
-        seen += on_surface(base + corner, f - vec2(corner), depth) * weight.x * weight.y;
-    }
-    return clamp(2.0 * seen - 0.5, 0.0, 1.0);
+    ivec2 base = ivec2(floor(center.xy));
+    vec2 f = center.xy - 0.5 - vec2(base);
+    vec3 across = spline(f.x), up = spline(f.y);
+    float depth = view_depth(center.z), nearest = window_depth(max(depth - hugging, 1e-6)), seen = 0.0;
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 3; ++x) {
+            ivec2 aside = ivec2(x, y) - 1;
+            seen += across[x] * up[y] * on_surface(base + aside, f - vec2(aside), depth, nearest);
+        }
+    return seen;
 }
 
 void main() {

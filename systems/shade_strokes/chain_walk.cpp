@@ -25,7 +25,7 @@ constexpr double join_bend = 0.05;      // how far aside of the walk an end may 
 constexpr double join_cosine = 0.9;     // 25 degrees
 constexpr double least_pressure = 0.6;  // of the pen, at alpha 1
 constexpr int most_divisions = 8;
-constexpr double looked_at = 0.7; // of what patches may be off, at one place: at others they are a little more
+constexpr double looked_at = 0.6; // of what patches may be off, at one place: at others they are a little more
 constexpr glm::dvec3 downwards{0.31, -0.92, 0.24}; // strokes are begun that way, so that those that meet agree
 
 } // namespace

@@ -30,9 +30,11 @@ public:
         const ShadeNode& to = node(segment.to);
         const double length = double{to.along} - from.along;
         if (from.random != to.random || !counted(segment.from, segment.to)) return std::nullopt;
-        if (!counted(segment.before, segment.from) || !counted(segment.to, segment.after)) return std::nullopt;
-        const double value[2] = {log_value(segment.before, segment.from, segment.to),
-                                 log_value(segment.from, segment.to, segment.after)};
+        if (partly_free(segment, segment.before) || partly_free(segment, segment.after)) return std::nullopt;
+        const std::uint32_t before = node_before(segment), after = node_after(segment);
+        if (!counted(before, segment.from) || !counted(segment.to, after)) return std::nullopt;
+        const double value[2] = {log_value(before, segment.from, segment.to),
+                                 log_value(segment.from, segment.to, after)};
         const ZigzagStart start = zigzag_start(from.random);
         const double begin = point(start.set, static_cast<int>(start.point)).x + from.along / unit_;
         const double end = begin + length / unit_;
@@ -143,11 +145,23 @@ private:
             return glm::clamp(glm::dvec2(by), glm::dvec2(-0.75, -1.8), glm::dvec2(0.75, 1.8));
         };
         glm::dvec2 result(0.0);
-        if (segment.before != segment.from)
-            result += v * (1.0 - v) * (1.0 - v) * off(tangent(segment.before, segment.from, segment.to));
-        if (segment.after != segment.to)
-            result -= v * v * (1.0 - v) * off(tangent(segment.from, segment.to, segment.after));
+        const std::uint32_t before = node_before(segment), after = node_after(segment);
+        if (before != segment.from)
+            result += v * (1.0 - v) * (1.0 - v) * off(tangent(before, segment.from, segment.to));
+        if (after != segment.to) result -= v * v * (1.0 - v) * off(tangent(segment.from, segment.to, after));
         return result;
+    }
+
+    /// Whether a segment beside another one is so much fainter that the chain ends there in part.
+    [[nodiscard]] bool partly_free(const ShadeSegment& segment, std::uint32_t beside) const {
+        return beside != no_slot && rig_.chains().segments[beside].alpha < 0.5f * segment.alpha;
+    }
+
+    [[nodiscard]] std::uint32_t node_before(const ShadeSegment& segment) const {
+        return segment.before != no_slot ? rig_.chains().segments[segment.before].from : segment.from;
+    }
+    [[nodiscard]] std::uint32_t node_after(const ShadeSegment& segment) const {
+        return segment.after != no_slot ? rig_.chains().segments[segment.after].to : segment.to;
     }
 
     /// Of the parabola through three nodes.
