@@ -39,7 +39,7 @@ struct ShadeStrokes {
     float no_shade = 0.85f;
     float contrast = 1.0f;
     float full_light = 0.0f;
-    float dead_band = 0.01f;
+    float dead_band = 0.0025f;
     std::uint32_t cells = 4000;
     std::uint32_t seed = 1;
     ShadeTip tip = ShadeTip::pencil;
@@ -92,7 +92,7 @@ inline void reflect(TypeBuilder<ShadeStrokes>& type) {
         .range(0, 1e9);
     type.field("dead_band", &ShadeStrokes::dead_band)
         .doc("shade by which a place may be off before its strokes change: greater is cheaper and calmer")
-        .range(0.005, 0.5);
+        .range(0.001, 0.5);
     type.field("cells", &ShadeStrokes::cells)
         .doc("into about how many cells the surface is divided to look at its light: more follow finer shadows")
         .range(50, 1000000);

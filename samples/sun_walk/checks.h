@@ -13,7 +13,7 @@ class Checks {
 public:
     Checks(hachure::World& world, hachure::Renderer& renderer, Day& day);
 
-    /// Draws `frames` frames, 1/120 s apart: in each, strokes of some places change, not of all.
+    /// Draws `frames` frames, a thirtieth of a second apart: in each, strokes change, and few are drawn anew.
     void strokes_follow(int frames);
     /// Shade that strokes deliver is what the light needs, up to the dead band, at any hour.
     void shade_is_delivered();

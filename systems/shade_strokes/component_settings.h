@@ -20,7 +20,7 @@ namespace hachure {
             .density = at_least(0.01f, strokes.density),
             .chain_turn = std::clamp(at_least(0.0f, strokes.chain_turn), 0.0f, 3.14159265f),
             .trueness = std::clamp(at_least(0.0f, strokes.trueness), 0.0f, 1.0f),
-            .dead_band = std::clamp(at_least(0.005f, strokes.dead_band), 0.005f, 0.5f),
+            .dead_band = std::clamp(at_least(0.001f, strokes.dead_band), 0.001f, 0.5f),
             .seed = strokes.seed};
 }
 

@@ -131,6 +131,7 @@ void SelectShade::count(const DrawList& list, const MeshStore& store, ShadeCount
         const KeptShade& kept = *shaded.kept;
         if (kept.swept()) counts.triangles_swept += store.mesh(list.items[shaded.item].mesh).indices.size() / 3;
         counts.triangles_touched += kept.triangles_touched();
+        counts.begun += kept.swept() ? kept.stats().begun : 0;
         counts.chains += kept.chains().chains.live();
         counts.segments += kept.chains().segments.live();
         counts.vertices += kept.chains().nodes.live();

@@ -13,7 +13,7 @@ struct ShadeSettings {
     float density = 0.6f;                                ///< shade of what strokes at alpha 1 cover; positive
     float chain_turn = 1.6f;       ///< radians, in [0, pi]: how far the normal may turn along a chain, end to end
     float trueness = 0.9f;         ///< in [0, 1]: 1 follows curvature, 0 any direction
-    float dead_band = 0.01f;       ///< shade in (0, 1): |needed - delivered| that is left as it is
+    float dead_band = 0.0025f;     ///< shade in (0, 1): |needed - delivered| that is left as it is
     float rib_deviation = 0.0005f; ///< how far the patch between two nodes may leave the surface: half a line's width
     std::uint64_t seed = 1;
 
