@@ -23,7 +23,8 @@ uniform uint triangle_count;
 uniform mat4 world_from_mesh;
 
 vec3 vertex(uint index) {
-    return vec3(positions.position[3u * index], positions.position[3u * index + 1u], positions.position[3u * index + 2u]);
+    uint at = 3u * index;
+    return vec3(positions.position[at], positions.position[at + 1u], positions.position[at + 2u]);
 }
 
 #ifdef NARROWED

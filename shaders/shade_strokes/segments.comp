@@ -34,8 +34,8 @@ float rest_length(uint a, uint b) {
     return max(counted ? along : chord, 1e-9);
 }
 
-// Whether the surface looks towards the eye, or edge on, anywhere: 1, and 0 where all of it looks away. Where a patch is
-// folded to nothing its normals are noise.
+// Whether the surface looks towards the eye, or edge on, anywhere: 1, and 0 where all of it looks away. Where a patch
+// is folded to nothing its normals are noise.
 float facing(uint from, uint to) {
     vec3 along = middle(to) - middle(from);
     float size[2 * RIB_POINTS], sine[2 * RIB_POINTS], largest = 0.0;
@@ -51,7 +51,8 @@ float facing(uint from, uint to) {
     }
     float most = 0.0;
     for (int i = 0; i < 2 * RIB_POINTS; ++i)
-        if (size[i] > 0.0) most = max(most, smoothstep(-0.1, 0.0, sine[i]) * min(1.0, size[i] / (LEAST_SIDE * largest)));
+        if (size[i] > 0.0)
+            most = max(most, smoothstep(-0.1, 0.0, sine[i]) * min(1.0, size[i] / (LEAST_SIDE * largest)));
     return most;
 }
 

@@ -23,7 +23,7 @@ layout(location = 0) out vec4 out_line;
 layout(location = 1) out vec4 out_coverage;
 #endif
 
-const float BAREST = 0.002;
+const float BAREST = 0.002; // that a stroke leaves, or a part of it would say nothing of the whole
 const float STEEPEST = 8.0; // 1 / cosine of the angle of sight from which on no more is allowed for
 
 // A box filter one pixel wide along the line, `beyond` its ends.
@@ -68,8 +68,8 @@ float on_surface(ivec2 pixel, vec2 from_pixel, float depth, float nearest) {
 // Of a quadratic B-spline at the pixels before, at and behind a place, `f` pixels from the middle one.
 vec3 spline(float f) { return vec3(0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f)); }
 
-// How much of the line's middle is seen: of the pixels around it, so that strokes come out from behind a silhouette, which
-// takes whole pixels, in parts.
+// How much of the line's middle is seen: of the pixels around it, so that strokes come out from behind a silhouette,
+// which takes whole pixels, in parts.
 float visible() {
     ivec2 base = ivec2(floor(center.xy));
     vec2 f = center.xy - 0.5 - vec2(base);

@@ -1,6 +1,6 @@
-// The zigzag that strokes follow along a chain, at any level of detail (Sorman & Hult 2005, sections 2.2.2 and 2.3.3.2).
-// The paper gives each segment its own; here a chain has one that goes on over its segments, which may be shorter than a
-// stroke: what is measured along it is a "place", in units of the mean distance of points.
+// The zigzag that strokes follow along a chain, at any level of detail (Sorman & Hult 2005, sections 2.2.2 and
+// 2.3.3.2). The paper gives each segment its own; here a chain has one that goes on over its segments, which may be
+// shorter than a stroke: what is measured along it is a "place", in units of the mean distance of points.
 #include "shade_strokes/data.glsl"
 
 layout(std430, binding = 3) readonly buffer Tables { vec2 points[]; } // place, side; set after set

@@ -34,7 +34,7 @@ public:
     }
 
     void bands(const geometry::Shape& shape) {
-        for (const float band : {0.005f, 0.01f, 0.02f, 0.04f, 0.08f, 0.16f}) {
+        for (const float band : {0.0025f, 0.005f, 0.01f, 0.02f, 0.04f, 0.08f, 0.16f}) {
             test::ShadeRig rig(shape, 4000, {.dead_band = band});
             const double ms = turned(rig);
             row("band", "a degree a frame", fmt::format("{}", band), ms, rig.error().mean);
