@@ -5,7 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <fstream>
+#include <vector>
 
 namespace hachure::bench {
 namespace {
@@ -18,18 +21,26 @@ public:
 
     bool finish() { return static_cast<bool>(file_.flush()); }
 
-    /// Turns of the light of growing size.
+    /// A share of the cells needs a tenth more shade, and less again.
     void touched(const std::string& series, const geometry::Shape& shape) {
         test::ShadeRig rig(shape);
-        shade_frame(rig, 0.0);
-        double at = 0.0;
-        for (const double step : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
+        std::vector<float> paint(rig.mesh().cell_count(), 0.5f);
+        rig.light.paint = paint;
+        rig.step({});
+        for (const double share : {0.125, 0.25, 0.5, 0.75, 1.0}) {
             std::vector<double> ms, cells;
-            for (int i = 0; i < (frames_ + 3) / 4; ++i) {
-                ms.push_back(shade_frame(rig, at += step).update_ms);
+            for (int i = 0; i < frames_; ++i) {
+                std::fill_n(paint.begin(), static_cast<std::ptrdiff_t>(share * double(paint.size())),
+                            i % 2 == 0 ? 0.55f : 0.5f);
+                ++rig.light.version;
+                rig.light.run();
+                rig.update.changed = rig.light.swept;
+                const double start = busy_ms();
+                rig.update.run();
+                ms.push_back(busy_ms() - start);
                 cells.push_back(rig.update.stats.touched);
             }
-            row("touched", series, fmt::format("{}", step), median(cells), median(ms));
+            row("touched", series, fmt::format("{}", share), median(cells), median(ms));
         }
     }
 

@@ -25,13 +25,12 @@ set label 3 "time: of the processor, all threads together, while the light turns
 note = "textcolor '#606060' font ',11' notitle"
 set key top left textcolor "#303030" samplen 2 spacing 1.1
 
-set title "{/:Bold an update, by the cells that it touches; degrees a frame}" offset 0, -0.5 textcolor "#202020"
+set title "{/:Bold an update, by the cells whose shade changes by a tenth}" offset 0, -0.5 textcolor "#202020"
 set xlabel "cells touched" textcolor "#606060"
 set ylabel "ms" textcolor "#606060" offset 1, 0
 set xrange [0:*]
 set yrange [0:*]
-plot for [i = 1:2] rows("touched", word("bunny torus", i)) using 4:5 with linespoints linetype i title word("bunny torus", i), \
-     for [i = 1:2] rows("touched", word("bunny torus", i)) using 4:5:3 with labels left offset 0.7, -0.5 @note
+plot for [i = 1:2] rows("touched", word("bunny torus", i)) using 4:5 with linespoints linetype i title word("bunny torus", i)
 
 unset label
 set title "{/:Bold dead band, bunny}" offset 0, -0.5 textcolor "#202020"
