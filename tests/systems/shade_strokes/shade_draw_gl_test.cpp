@@ -126,7 +126,9 @@ TEST_P(ShadeDrawTest, DarknessIsLinearInShade) {
         ShadeStrokes style;
         style.tip = tip;
         const DarknessBySphere::Fit fit = darkness_of_sphere(style);
-        RecordProperty("worst", std::to_string(fit.worst));
+        const std::string name = tip == ShadeTip::pencil ? "pencil" : "ink";
+        RecordProperty(name + "_worst", std::to_string(fit.worst));
+        RecordProperty(name + "_slope", std::to_string(fit.slope));
         EXPECT_TRUE(fit.rises);
         EXPECT_LT(fit.worst, 0.05);
         EXPECT_NEAR(fit.offset, 0.0, 0.02);
