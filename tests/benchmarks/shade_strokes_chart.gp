@@ -21,7 +21,7 @@ set multiplot layout 2, 2 margins 0.075, 0.965, 0.07, 0.86 spacing 0.1, 0.14
 set label 1 "Shade strokes: what they cost the CPU, and how exact they are" at screen 0.012, 0.97 font ",17" textcolor "#202020"
 set label 2 "bunny: 70 thousand triangles; torus: a million; 4000 cells and a dead band of .0025 where neither is varied" \
   at screen 0.012, 0.935 textcolor "#606060"
-set label 3 "time: of the processor, all threads together, while the light turns" at screen 0.012, 0.91 textcolor "#606060"
+set label 3 "time: of the processor, all threads together; a frame: the light turns by a degree" at screen 0.012, 0.91 textcolor "#606060"
 note = "textcolor '#606060' font ',11' notitle"
 set key top left textcolor "#303030" samplen 2 spacing 1.1
 
