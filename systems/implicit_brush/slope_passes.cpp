@@ -109,7 +109,9 @@ TextureHandle SlopePasses::breaks(float half_break) {
 TextureHandle SlopePasses::declare_relief(SlopeKind kind, float half_break) {
     RenderContext& render = world_.resource_mutable<RenderContext>();
     gpu::FrameGraph& graph = render.graph;
-    if (samples_ > 1 && !fine_surface_) fine_surface_ = declare_fine_surface(world_, samples_, rect_);
+    if (samples_ > 1 && !fine_surface_)
+        fine_surface_ =
+            declare_fine_surface(world_, {.pass = "brush_fine", .samples = samples_, .rect = rect_, .normals = true});
     const std::string kind_name =
         kind == SlopeKind::surface ? std::string("brush_slope") : fmt::format("brush_breaks_{}", half_break);
     const std::string name = samples_ > 1 ? kind_name + "_fine" : kind_name;

@@ -4,7 +4,7 @@
 #include <hachure/runtime/ecs/world.h>
 #include <hachure/runtime/gpu/frame_graph_handle.h>
 #include <hachure/runtime/gpu/framebuffer.h>
-#include <hachure/systems/implicit_brush/fine_surface.h>
+#include <hachure/runtime/scene/fine_surface.h>
 #include <hachure/systems/implicit_brush/slope_job.h>
 
 #include <optional>
