@@ -33,7 +33,7 @@ void main() {
     int size = batch_size(int(batch) % SIZES);
     bool bent = batch >= SIZES;
     commands.command[batch] =
-        DrawCommand(uint(size) * (bent ? 24u : 6u), total[batch], bent ? 6u * MOST_STROKES : 0u, 0, start);
+        DrawCommand(uint(size) * (bent ? 24u : 6u), total[batch], 0u, 0, start);
     for (uint g = 0u; g < group_count; ++g) {
         uint mine = counts.count[g * BATCHES + batch];
         counts.count[g * BATCHES + batch] = start;

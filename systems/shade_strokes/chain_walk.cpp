@@ -25,7 +25,7 @@ constexpr double join_bend = 0.05;      // how far aside of the walk an end may 
 constexpr double join_cosine = 0.9;     // 25 degrees
 constexpr double least_pressure = 0.6;  // of the pen, at alpha 1
 constexpr int most_divisions = 8;
-constexpr double looked_at = 0.6; // of what patches may be off, at one place: at others they are a little more
+constexpr double looked_at = 0.5; // of what patches may be off, at one place: at others they are a little more
 constexpr glm::dvec3 downwards{0.31, -0.92, 0.24}; // strokes are begun that way, so that those that meet agree
 
 } // namespace
@@ -257,13 +257,14 @@ void ChainWalk::lay(std::uint32_t from, double begin, std::uint32_t to, double e
     editor_.narrow(fresh_.back(), narrowing_.of(chains_.nodes[from], chains_.nodes[to]));
 }
 
-/// Draws the piece as strongly as its cell needs and the chain's pen can.
+/// Draws the piece as strongly as its cell needs and the chain's pen can; a small one no more strongly than a larger
+/// one.
 void ChainWalk::shade_piece() {
     double shade = 0.0;
     for (const std::uint32_t s : fresh_) shade += chains_.links[s].shade;
     const double missing = double{needed_[cell_]} - chains_.cells[cell_].delivered;
     const double most = chains_.chains[chain_].max_alpha;
-    const double alpha = shade > 0.0 ? std::clamp(missing / shade, 0.0, most) : 0.0;
+    const double alpha = shade > 0.0 ? std::clamp(missing / std::max(shade, least_share), 0.0, most) : 0.0;
     for (const std::uint32_t s : fresh_) editor_.set_alpha(s, static_cast<float>(alpha));
     editor_.refresh(cell_);
 }

@@ -14,6 +14,10 @@
 
 namespace hachure {
 
+/// Of a cell's shade that segments are taken for at least where they get alpha: what little the cell lacks would make
+/// small ones jump.
+inline constexpr double least_share = 0.25;
+
 /// Walks chains over a surface (section 2.3.3.1): lays segments and brings the cells that it passes as much shade as
 /// they need. A chain ends before a cell that needs no more, where the normal has turned too far from that where it was
 /// begun, and where the sheet ends.

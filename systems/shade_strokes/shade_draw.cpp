@@ -8,13 +8,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace hachure {
 namespace {
 
 using gpu::BufferBinding;
+
+constexpr int most_fine_samples = 3;
+constexpr std::int64_t most_texels = std::int64_t{1} << 25;
+constexpr std::int64_t most_side = 16384; // that every context has
 
 /// Points of a zigzag are this many to the size of a model: strokes get no finer, however near they are.
 constexpr float points_per_size = 4096.0f;
@@ -28,25 +34,20 @@ void run_groups(gpu::Program& program, std::size_t threads) {
     gpu::gl().MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-/// Two triangles between each pair of columns of a stroke's ribbon and the next pair.
-void append_ribbons(std::vector<std::uint32_t>& indices, std::uint32_t columns) {
-    for (std::uint32_t stroke = 0; stroke < stroke_layout::most_strokes; ++stroke)
-        for (std::uint32_t column = 0; column + 1 < columns; ++column) {
-            const std::uint32_t v = 2 * (stroke * columns + column);
-            indices.insert(indices.end(), {v, v + 1, v + 2, v + 2, v + 1, v + 3});
-        }
-}
-
+/// Two triangles for each four vertices.
 gpu::Buffer ribbon_indices() {
     std::vector<std::uint32_t> indices;
-    append_ribbons(indices, stroke_layout::straight_columns);
-    append_ribbons(indices, stroke_layout::bent_columns);
+    for (std::uint32_t v = 0; v < 4 * stroke_layout::most_ribbons; v += 4)
+        indices.insert(indices.end(), {v, v + 1, v + 2, v + 2, v + 1, v + 3});
     return gpu::Buffer(std::span<const std::uint32_t>(indices), "shade ribbons");
 }
 
 float scale_of(const glm::mat4& matrix) {
     return std::cbrt(std::max(std::abs(glm::determinant(glm::mat3(matrix))), 1e-30f));
 }
+
+/// Which side of a triangle is its front: -1 where the transform mirrors, else 1.
+float front_of(const glm::mat4& matrix) { return glm::determinant(glm::mat3(matrix)) < 0.0f ? -1.0f : 1.0f; }
 
 float pen_width(const ShadeStrokes& style) {
     return std::max(0.05f, style.line_width) * stroke_tip(style.tip).width / std::max(0.05f, style.intensity);
@@ -61,6 +62,15 @@ StrokePatterns::StrokePatterns()
                                           gpu::BufferUsage::immutable, "shade draw commands") {
     const ZigzagTables tables = make_zigzag_tables();
     zigzags = gpu::Buffer(std::span<const glm::vec2>(tables.point), "shade zigzags");
+}
+
+int fine_samples(int width, int height) {
+    const auto fits = [&](std::int64_t samples) {
+        return samples * std::max(width, height) <= most_side && samples * samples * width * height <= most_texels;
+    };
+    int samples = most_fine_samples;
+    while (samples > 1 && !fits(samples)) --samples;
+    return samples;
 }
 
 void ShadeStrokeDraw::find() const {
@@ -90,7 +100,7 @@ void ShadeStrokeDraw::look_at_segments() const {
     program.set("segment_count", buffers->segment_count());
     program.set("unit", size / points_per_size);
     program.set("world_scale", scale_of(world_from_mesh));
-    program.set("front", glm::determinant(glm::mat3(world_from_mesh)) < 0.0f ? -1.0f : 1.0f);
+    program.set("front", front_of(world_from_mesh));
     program.set("line_width", pen_width(style));
     program.set("solid", stroke_tip(style.tip).solid);
     program.set("density", std::max(0.01f, style.density));
@@ -120,9 +130,11 @@ void ShadeStrokeDraw::list_segments() const {
 void ShadeStrokeDraw::draw(const gpu::Texture& depth, bool coverage) const {
     if (buffers->segment_count() == 0) return;
     gpu::ProgramSource source{.vertex = "shade_strokes/strokes.vert", .fragment = "shade_strokes/strokes.frag"};
+    source.defines.push_back({"SAMPLES", std::to_string(samples)});
     if (coverage) source.defines.push_back({"COVERAGE", ""});
     gpu::Program& program = shaders->program(source);
     const StrokeTip tip = stroke_tip(style.tip);
+    program.set("front", front_of(world_from_mesh));
     program.set("flicker", std::clamp(style.flicker, 0.0f, 1.0f));
     program.set("tick", tick);
     program.set("color", style.color);

@@ -17,12 +17,17 @@ struct StrokePatterns {
     StrokePatterns();
 
     gpu::Buffer zigzags;  ///< ZigzagTables
-    gpu::Buffer indices;  ///< of ribbons for a segment's strokes: straight ones, then bent ones
+    gpu::Buffer indices;  ///< of ribbons for a segment's strokes
     gpu::Buffer commands; ///< one per batch, written by the GPU anew for each surface
 };
 
 /// Mean coverage of full shade over the component's opacity: how dark strokes get.
 inline constexpr float full_darkness = 0.75f;
+
+/// At how many places of a pixel to a side it is known what hides strokes, in pictures of a size: at one each, an edge
+/// that moves would take pixels of a stroke at once. 3, and less where that would be more than 2^25 in all (2560x1440
+/// has 3) or more than 16384 to a side.
+[[nodiscard]] int fine_samples(int width, int height);
 
 /// Draws the strokes of a surface: `find` lets the GPU find out what the view sees of them, `draw` draws that with one
 /// indirect call. The uniform block View (ViewUniforms) is bound.
@@ -37,13 +42,14 @@ struct ShadeStrokeDraw {
     float size = 1.0f;                      ///< of the mesh (ShadeMesh::size)
     float hugging = 0.0005f;                ///< over the size: how far the surface may be off (ShadeSettings)
     ShadeStrokes style{};
+    int samples = 1;        ///< of depth, in a pixel and to a side: fine_samples()
     std::uint32_t tick = 0; ///< another one whenever flickering strokes jump
 
     /// Computes where strokes are. Leaves no buffer bound that a draw would mind.
     void find() const;
 
     /// Draws into the framebuffer that is bound, with its viewport the view's and premultiplied blending; hidden are
-    /// strokes behind what `depth` (a texture of the view's size, reversed) holds. Where `coverage` is true the
+    /// strokes behind what `depth` (reversed, `samples` times the view's size) holds. Where `coverage` is true the
     /// framebuffer's second attachment gets the coverage alone.
     void draw(const gpu::Texture& depth, bool coverage) const;
 

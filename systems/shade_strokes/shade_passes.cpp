@@ -1,5 +1,6 @@
 #include <hachure/runtime/gpu/state.h>
 #include <hachure/runtime/scene/draw_list.h>
+#include <hachure/runtime/scene/fine_surface.h>
 #include <hachure/runtime/scene/frame_requests.h>
 #include <hachure/runtime/scene/light_list.h>
 #include <hachure/runtime/scene/line_layer.h>
@@ -39,10 +40,12 @@ void ShadePasses::declare(World& world) {
     if (frame.surfaces.empty() || frame.rect.width <= 0 || frame.rect.height <= 0) return;
     RenderContext& render = world.resource_mutable<RenderContext>();
     const View& view = world.resource<View>();
+    const FineSurface fine = declare_fine_surface(
+        world, {.pass = "shade_fine", .samples = fine_samples(view.width, view.height), .rect = frame.rect});
     render.graph.add_pass<ShadePass>(
         "shade_strokes",
         [&](gpu::PassBuilder& pass, ShadePass& data) {
-            data.depth = pass.read(render.graph.find("depth_buffer"));
+            data.depth = pass.read(fine.depth_buffer);
             data.lines = write_line_layer(world, pass);
             if (wants_coverage(world.resource<FrameRequests>())) {
                 data.coverage = pass.create("shade_coverage", {view.width, view.height, gpu::Format::r16f});
@@ -71,7 +74,8 @@ void ShadePasses::draw(World& world, const gpu::Texture& depth, bool coverage) {
     const DrawList& list = world.resource<DrawList>();
     const MeshStore& store = world.resource<MeshStore>();
     if (!patterns_) patterns_.emplace();
-    render.view_uniforms.bind(world.resource<View>(), world.resource<LightList>());
+    const View& view = world.resource<View>();
+    render.view_uniforms.bind(view, world.resource<LightList>());
     for (const ShadeSurface& surface : frame.surfaces) {
         const DrawItem& item = list.items[surface.item];
         ShadeBuffers& buffers = buffers_[surface.entity];
@@ -85,6 +89,7 @@ void ShadePasses::draw(World& world, const gpu::Texture& depth, bool coverage) {
                                       .world_from_mesh = surface.world_from_mesh,
                                       .size = surface.mesh->size,
                                       .style = surface.style,
+                                      .samples = fine_samples(view.width, view.height),
                                       .tick = flicker_tick(surface.style, frame.time)};
         strokes.find();
         strokes.draw(depth, coverage);

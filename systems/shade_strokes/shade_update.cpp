@@ -20,6 +20,7 @@ constexpr std::uint32_t most_failures = 4; // in a row that give up on a cell
 constexpr std::uint32_t most_waiting = 16; // ends tried in a cell at a time
 constexpr std::uint32_t candidates = 4;    // for the start of a chain: the one in the widest gap is taken
 constexpr float faded = 1.0f / 512.0f;     // alpha that nobody sees
+constexpr double inner_fading = 0.25;      // of a segment within a chain, over that of one at its end, at alpha 1
 
 /// Distance of a point from a straight piece.
 double distance_from(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
@@ -71,9 +72,10 @@ void ShadeUpdateJob::run() {
     ChainWalk walk(*mesh, settings, narrowing, needed, *chains);
     for (const std::uint32_t cell : touched_) {
         // Chains that came by may have brought enough already.
-        if (missing(cell) > 0.0f) strengthen(editor, cell);
+        if (missing(cell) > 0.0f) strengthen(editor, cell, least_share);
         if (walk.wants(cell)) extend(walk, cell);
         if (walk.wants(cell)) begin_chains(walk, cell);
+        if (missing(cell) > settings.dead_band) strengthen(editor, cell, 0.0);
         note_unmet(cell);
     }
     stats.steps = walk.steps;
@@ -101,16 +103,18 @@ bool ShadeUpdateJob::differs(std::uint32_t cell) const {
     return !(difference > 0.0f && state.unmet >= 0.0f && need <= state.unmet + settings.dead_band);
 }
 
-/// Takes as much alpha from every segment, from ends of chains first: so chains shrink from their ends, and are split
-/// only where nothing else is left. Those that fade out go.
+/// Takes alpha from every segment, most from ends of chains: so chains shrink from their ends, and are split only where
+/// nothing else is left; from others a part of what they have, or a small end would lose all of its own at once. Those
+/// that fade out go.
 void ShadeUpdateJob::weaken(ChainEditor& editor, std::uint32_t cell) {
     double excess = needed[cell] <= 0.0f ? std::numeric_limits<double>::max() : -double{missing(cell)};
     for (int round = 0; round < most_rounds && excess > 1e-6; ++round) {
         const double shade = list_fading(cell);
         if (open.empty()) break;
         const double total_alpha = excess / std::max(shade, 1e-12);
-        for (const std::uint32_t s : open) {
-            const double alpha = chains->segments[s].alpha, taken = std::min(alpha, total_alpha);
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            const std::uint32_t s = open[i];
+            const double alpha = chains->segments[s].alpha, taken = std::min(alpha, total_alpha * fading_[i]);
             excess -= taken * chains->links[s].shade;
             editor.set_alpha(s, static_cast<float>(alpha - taken));
             if (chains->segments[s].alpha <= faded) remove(editor, s);
@@ -119,18 +123,18 @@ void ShadeUpdateJob::weaken(ChainEditor& editor, std::uint32_t cell) {
     editor.refresh(cell);
 }
 
-/// Lists the segments of a cell at ends of chains, or when there are none all; returns what they deliver at alpha 1.
+/// Lists the segments of a cell and how fast each fades, over one at the end of a chain; returns what they lose where
+/// that loses an alpha of 1.
 double ShadeUpdateJob::list_fading(std::uint32_t cell) {
     double shade = 0.0;
-    for (const bool ends_alone : {true, false}) {
-        open.clear();
-        for (std::uint32_t s = chains->cells[cell].first; s != no_slot; s = chains->links[s].cell_next) {
-            const ShadeSegment& segment = chains->segments[s];
-            if (ends_alone && segment.before != no_slot && segment.after != no_slot) continue;
-            open.push_back(s);
-            shade += chains->links[s].shade;
-        }
-        if (!open.empty()) break;
+    open.clear();
+    fading_.clear();
+    for (std::uint32_t s = chains->cells[cell].first; s != no_slot; s = chains->links[s].cell_next) {
+        const ShadeSegment& segment = chains->segments[s];
+        const bool end = segment.before == no_slot || segment.after == no_slot;
+        open.push_back(s);
+        fading_.push_back(end ? 1.0 : inner_fading * segment.alpha);
+        shade += fading_.back() * chains->links[s].shade;
     }
     return shade;
 }
@@ -143,8 +147,9 @@ void ShadeUpdateJob::remove(ChainEditor& editor, std::uint32_t segment) {
     ++stats.removed;
 }
 
-/// Gives as much alpha to every segment, as far as their pens can.
-void ShadeUpdateJob::strengthen(ChainEditor& editor, std::uint32_t cell) {
+/// Gives as much alpha to every segment, as far as their pens can: as if they were `least` of the cell's shade, where
+/// they are less.
+void ShadeUpdateJob::strengthen(ChainEditor& editor, std::uint32_t cell, double least) {
     open.clear();
     for (std::uint32_t s = chains->cells[cell].first; s != no_slot; s = chains->links[s].cell_next) open.push_back(s);
     double wanted = missing(cell);
@@ -153,13 +158,14 @@ void ShadeUpdateJob::strengthen(ChainEditor& editor, std::uint32_t cell) {
         for (const std::uint32_t s : open)
             if (chains->segments[s].alpha < chains->links[s].max_alpha) shade += chains->links[s].shade;
         if (!(shade > 0.0)) break;
-        const double total_alpha = wanted / shade; // of each, not shared between them (readings.md)
+        const double total_alpha = wanted / std::max(shade, least); // of each, not shared between them (readings.md)
         for (const std::uint32_t s : open) {
             const double alpha = chains->segments[s].alpha, most = chains->links[s].max_alpha;
             const double added = std::clamp(most - alpha, 0.0, total_alpha);
             editor.set_alpha(s, static_cast<float>(std::min(most, alpha + added)));
             wanted -= added * chains->links[s].shade;
         }
+        if (shade < least) break;
     }
     editor.refresh(cell);
 }

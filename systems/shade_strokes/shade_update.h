@@ -70,7 +70,7 @@ private:
     void weaken(ChainEditor& editor, std::uint32_t cell);
     [[nodiscard]] double list_fading(std::uint32_t cell);
     void remove(ChainEditor& editor, std::uint32_t segment);
-    void strengthen(ChainEditor& editor, std::uint32_t cell);
+    void strengthen(ChainEditor& editor, std::uint32_t cell, double least);
     void extend(ChainWalk& walk, std::uint32_t cell);
     void begin_chains(ChainWalk& walk, std::uint32_t cell);
     [[nodiscard]] ShadeCells::Point start_point(std::uint32_t cell, std::uint64_t random) const;
@@ -78,6 +78,7 @@ private:
     [[nodiscard]] float missing(std::uint32_t cell) const { return needed[cell] - chains->cells[cell].delivered; }
 
     std::vector<std::uint32_t> touched_{};
+    std::vector<double> fading_; ///< scratch: of `open`, alpha that each loses
 };
 
 } // namespace hachure

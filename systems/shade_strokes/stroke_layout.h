@@ -12,8 +12,7 @@ inline constexpr std::size_t group = 64;      ///< threads of a work group, of e
 
 // batches.glsl
 inline constexpr std::size_t batches = 34;
-inline constexpr std::size_t most_strokes = 384;
-inline constexpr std::size_t straight_columns = 2, bent_columns = 5; ///< pairs of vertices of a stroke
+inline constexpr std::uint32_t most_ribbons = 4 * 384; ///< of a segment: 4 a stroke, where they bend
 
 /// glDrawElementsIndirect.
 struct DrawCommand {

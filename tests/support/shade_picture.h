@@ -78,7 +78,7 @@ public:
         gpu::gl().ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); // as Renderer has it
         view_uniforms_.bind(view, LightList{});
         buffers.update(chains, shares_, shares_version_);
-        draw_depth(view);
+        draw_depth();
         const ShadeStrokeDraw strokes = stroke_draw();
         strokes.find();
         coverage_.bind();
@@ -99,6 +99,7 @@ public:
                 .world_from_mesh = world_from_mesh,
                 .size = size_,
                 .style = style,
+                .samples = samples_,
                 .tick = tick};
     }
 
@@ -114,14 +115,15 @@ private:
     void make_targets(const View& view) {
         layer_ = gpu::Texture({view.width, view.height, gpu::Format::rgba16f}, "layer");
         coverage_texture_ = gpu::Texture({view.width, view.height, gpu::Format::r16f}, "coverage");
-        depth_ = gpu::Texture({view.width, view.height, gpu::Format::depth32f}, "depth");
+        samples_ = fine_samples(view.width, view.height);
+        depth_ = gpu::Texture({samples_ * view.width, samples_ * view.height, gpu::Format::depth32f}, "depth");
         coverage_ = gpu::Framebuffer({&layer_, &coverage_texture_}, nullptr, "strokes");
-        surface_ = gpu::Framebuffer({&layer_}, &depth_, "surface");
+        surface_ = gpu::Framebuffer({}, &depth_, "surface");
     }
 
-    void draw_depth(const View& view) {
+    void draw_depth() {
         surface_.bind();
-        gpu::apply({.viewport = {0, 0, view.width, view.height},
+        gpu::apply({.viewport = {0, 0, depth_.desc().width, depth_.desc().height},
                     .depth_test = gpu::DepthTest::greater,
                     .depth_write = true,
                     .cull = gpu::Cull::back});
@@ -138,6 +140,7 @@ private:
     std::uint64_t shares_version_ = 0;
     float size_;
     std::uint32_t triangles_;
+    int samples_ = 1;
     gpu::Buffer positions_, indices_;
     gpu::VertexArray vertex_array_;
     ViewUniforms view_uniforms_;

@@ -221,7 +221,7 @@ TEST_P(ShadeDrawTest, HiddenStrokesAreHidden) {
     double middle = 0.0; // within half the radius the light is above .85
     for (int y = 150; y < 250; ++y)
         for (int x = 150; x < 250; ++x) middle = std::max(middle, double{lit[static_cast<std::size_t>(y * 400 + x)]});
-    EXPECT_EQ(middle, 0.0);
+    EXPECT_LT(middle, 0.01); // strokes of its back cover up to 1
     EXPECT_GT(mean(picture.draw(back)), 3.0 * mean(lit));
 }
 
