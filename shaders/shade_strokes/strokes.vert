@@ -24,6 +24,7 @@ uniform float front; // -1 where the transform mirrors, else 1
 
 const int PIECES = 4;     // of a stroke that bends
 const float SHORT = 0.2;  // pixels: below that, ends don't tell the direction
+const float LEAST_RIMMED = 1.0; // pixels of two pieces, that they may end at one rim
 const float FAR = 2.0;    // pixels: nothing of a pixel is so far from its middle
 const float LEAST_FACING = 0.02; // of a surface that is as good as edge on: sine of its angle with the line of sight
 
@@ -65,15 +66,15 @@ vec2 slope_at(const Seen seen, const Stroke stroke, float x) {
     return length_ > 1e-3 ? sum / length_ : vec2(1.0, 0.0);
 }
 
-// How two ways on the screen meet: across their rim, over half the width; 0 where they turn too much for how long they
-// are.
+// How two ways on the screen meet: across their rim, over half the width; 0 where they are short, or turn too much for
+// that. Nearly all of what a rim changes is who draws a pixel.
 vec2 rim_of(vec2 a, vec2 b, float half_) {
     float lengths[2] = float[2](length(a), length(b)), shorter = min(lengths[0], lengths[1]);
-    if (shorter < SHORT) return vec2(0.0);
+    if (shorter < LEAST_RIMMED) return vec2(0.0);
     a /= lengths[0];
     b /= lengths[1];
     float cosine = dot(a, b), sine = a.x * b.y - a.y * b.x;
-    if (cosine < 0.5 || half_ * abs(sine) > 0.5 * shorter * (1.0 + cosine)) return vec2(0.0);
+    if (cosine < 0.9 || half_ * abs(sine) > 0.5 * shorter * (1.0 + cosine)) return vec2(0.0);
     vec2 middle = (a + b) / (1.0 + cosine);
     return vec2(-middle.y, middle.x);
 }

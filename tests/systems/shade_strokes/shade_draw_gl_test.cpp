@@ -225,6 +225,52 @@ TEST_P(ShadeDrawTest, HiddenStrokesAreHidden) {
     EXPECT_GT(mean(picture.draw(back)), 3.0 * mean(lit));
 }
 
+/// A dark floor with a lid above it, as one mesh: the lid's four vertices are the last ones.
+geometry::Shape floor_with_lid() {
+    geometry::Shape shape = geometry::plane(2.0, 24);
+    const auto first = static_cast<std::uint32_t>(shape.positions.size());
+    for (const float z : {0.4f, -0.6f})
+        for (const float x : {-0.6f, 0.1f}) {
+            shape.positions.emplace_back(x, 0.3f, z);
+            shape.normals.emplace_back(0.0f, 1.0f, 0.0f);
+        }
+    shape.indices.insert(shape.indices.end(), {first, first + 1, first + 2, first + 2, first + 1, first + 3});
+    return shape;
+}
+
+/// The lid moves over the floor's strokes, a pixel in steps of a fiftieth: its edge, which is aligned with the
+/// pixels, takes all samples of a row at once, and yet no more than a part of a stroke. With one sample a pixel that
+/// would be three quarters.
+TEST_P(ShadeDrawTest, AnEdgeThatPassesTakesStrokesInParts) {
+    ShadeRig rig(floor_with_lid(), 1000);
+    rig.step({shade_sun({0.0f, -1.0f, 0.0f})});
+    ShadePicture picture(rig);
+    const View view = view_from({0.0f, 1.0f, 0.01f}, 5.0f, 200);
+    const float step = 0.02f * view.pixel_size * 4.7f;
+    std::vector<glm::vec3> places = rig.shape().positions;
+    std::vector<float> last = picture.draw(view);
+    const std::vector<float> first = last;
+    double most = 0.0;
+    for (int i = 0; i < 50; ++i) {
+        for (std::size_t v = places.size() - 4; v < places.size(); ++v) places[v].x += step;
+        picture.deform(places);
+        std::vector<float> now = picture.draw(view);
+        most = std::max(most, difference(now, last).largest);
+        last = std::move(now);
+    }
+    EXPECT_LT(most, 0.3);
+    EXPECT_GT(difference(last, first).largest, 0.4) << "nothing was uncovered, or hidden";
+}
+
+TEST(FineSamples, FitIntoATexture) {
+    EXPECT_EQ(fine_samples(640, 480), 3);
+    EXPECT_EQ(fine_samples(2560, 1440), 3);
+    EXPECT_EQ(fine_samples(3840, 2160), 2);
+    EXPECT_EQ(fine_samples(8192, 100), 2);
+    EXPECT_EQ(fine_samples(16384, 16), 1);
+    EXPECT_EQ(fine_samples(16384, 16384), 1);
+}
+
 /// A turn of the camera by a tenth of a degree, all the way round: no picture differs from the next much more than the
 /// others do, at silhouettes neither.
 TEST_P(ShadeDrawTest, NothingPopsWhereSurfacesTurnAway) {
