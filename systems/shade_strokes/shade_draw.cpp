@@ -18,7 +18,7 @@ namespace {
 
 using gpu::BufferBinding;
 
-constexpr int most_fine_samples = 3;
+constexpr int most_fine_samples = 4;
 constexpr std::int64_t most_texels = std::int64_t{1} << 25;
 constexpr std::int64_t most_side = 16384; // that every context has
 

@@ -25,8 +25,8 @@ struct StrokePatterns {
 inline constexpr float full_darkness = 0.75f;
 
 /// At how many places of a pixel to a side it is known what hides strokes, in pictures of a size: at one each, an edge
-/// that moves would take pixels of a stroke at once. 3, and less where that would be more than 2^25 in all (2560x1440
-/// has 3) or more than 16384 to a side.
+/// that moves would take pixels of a stroke at once. 4, and less where that would be more than 2^25 in all (1920x1080
+/// has 4) or more than 16384 to a side.
 [[nodiscard]] int fine_samples(int width, int height);
 
 /// Draws the strokes of a surface: `find` lets the GPU find out what the view sees of them, `draw` draws that with one

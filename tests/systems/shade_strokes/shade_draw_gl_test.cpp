@@ -258,12 +258,13 @@ TEST_P(ShadeDrawTest, AnEdgeThatPassesTakesStrokesInParts) {
         most = std::max(most, difference(now, last).largest);
         last = std::move(now);
     }
-    EXPECT_LT(most, 0.3);
+    EXPECT_LT(most, 0.25);
     EXPECT_GT(difference(last, first).largest, 0.4) << "nothing was uncovered, or hidden";
 }
 
 TEST(FineSamples, FitIntoATexture) {
-    EXPECT_EQ(fine_samples(640, 480), 3);
+    EXPECT_EQ(fine_samples(640, 480), 4);
+    EXPECT_EQ(fine_samples(1920, 1080), 4);
     EXPECT_EQ(fine_samples(2560, 1440), 3);
     EXPECT_EQ(fine_samples(3840, 2160), 2);
     EXPECT_EQ(fine_samples(8192, 100), 2);
