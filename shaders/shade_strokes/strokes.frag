@@ -27,8 +27,8 @@ layout(location = 1) out vec4 out_coverage;
 #endif
 
 const float BAREST = 0.002; // that a stroke leaves, or a part of it would say nothing of the whole
-const float TAPER = 0.35;    // of the width, where a chain ends
-const float RISE = 2.0;      // metres towards the eye over metres aside, of surfaces that hide nothing beside them
+const float TAPER = 0.35;   // of the width, where a chain ends
+const float RISE = 2.0;     // metres towards the eye over metres aside, of surfaces that hide nothing beside them
 const float STEEPEST = 8.0; // 1 / cosine of the angle of sight from which on no more is allowed for
 
 // A box filter one pixel wide along the line, so far beyond its ends.

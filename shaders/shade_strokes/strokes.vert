@@ -22,19 +22,19 @@ flat out float finer;              // how much the level's points count
 
 uniform float front; // -1 where the transform mirrors, else 1
 
-const int PIECES = 4;     // of a stroke that bends
-const float SHORT = 0.2;  // pixels: below that, ends don't tell the direction
-const float LEAST_RIMMED = 1.0; // pixels of two pieces, that they may end at one rim
-const float FAR = 2.0;    // pixels: nothing of a pixel is so far from its middle
-const float LEAST_FACING = 0.02; // of a surface that is as good as edge on: sine of its angle with the line of sight
+const int PIECES = 4;            // of a stroke that bends
+const float SHORT = 0.2;         // pixels: below that, ends don't tell the direction
+const float LEAST_RIMMED = 1.0;  // pixels of two pieces, that they may end at one rim
+const float FAR = 2.0;           // pixels: nothing of a pixel is so far from its middle
+const float LEAST_FACING = 0.02; // of a surface as good as edge on: sine of its angle with the line of sight
 
 vec3 window(vec3 world) {
     vec4 clip = clip_from_world * vec4(world, 1.0);
     return vec3((clip.xy / clip.w * 0.5 + 0.5) * viewport, clip.z / clip.w);
 }
 
-// How the plane that a stroke's patch is nearly in leans, as if edge on where it looks away: metres that it comes nearer
-// over metres that one goes aside.
+// How the plane that a stroke's patch is nearly in leans, as if edge on where it looks away: metres that it comes
+// nearer over metres that one goes aside.
 vec2 lean_at(const Seen seen, float v, vec3 here) {
     uint begin = seen.nodes[0] * RIB_POINTS, end = seen.nodes[1] * RIB_POINTS, last = RIB_POINTS - 1;
     vec3 along = ribs.at[end + last / 2].xyz - ribs.at[begin + last / 2].xyz;
@@ -67,7 +67,7 @@ vec2 slope_at(const Seen seen, const Stroke stroke, float x) {
 }
 
 // How two ways on the screen meet: across their rim, over half the width; 0 where they are short, or turn too much for
-// that. Nearly all of what a rim changes is who draws a pixel.
+// that. Two ribbons that end at one rim draw no pixel twice, which is what it is for.
 vec2 rim_of(vec2 a, vec2 b, float half_) {
     float lengths[2] = float[2](length(a), length(b)), shorter = min(lengths[0], lengths[1]);
     if (shorter < LEAST_RIMMED) return vec2(0.0);
